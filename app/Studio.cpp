@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/Studio.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/StudioScene.h"
+#include "editor/core/Sentences.h"
+#include "editor/ui/Language.h"
+#include "editor/ui/MainWindow.h"
+#include "editor/ui/Resources.h"
+#include "editor/ui/Theme.h"
+
+namespace glenoid {
+namespace {
+
+/// Whether Qt would find a display. Asked before a QApplication is made, because that aborts without one.
+bool displayIsThere() {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  if (platform && *platform) return true;  // somebody chose
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+}  // namespace
+
+int runStudio(QApplication& application, const StudioOptions& options) {
+  initGlenoidResources();
+  QApplication::setOrganizationName(QStringLiteral("glenoid"));
+  QApplication::setApplicationName(QStringLiteral("glenoid-studio"));
+  application.setWindowIcon(QIcon(QStringLiteral(":/icons/glenoid.svg")));
+  QSettings settings;
+  setLanguage(settings.value(QStringLiteral("language"), systemLanguage()).toString());
+  applyTheme(application, loadTheme(settings.value(QStringLiteral("dark"), true).toBool()));
+
+  Document document;
+  Selection selection;
+  DisplayState display;
+  PlayLink link(document);
+  MainWindow window({document, link, display, selection}, probeGraphics(), loadScene, saveScene);
+  QObject::connect(&window, &MainWindow::languageWanted, [&settings](const QString& code) {
+    setLanguage(code);
+    settings.setValue(QStringLiteral("language"), code);
+  });
+  QObject::connect(&window, &MainWindow::themeWanted, [&](bool dark) {
+    applyTheme(application, loadTheme(dark));
+    settings.setValue(QStringLiteral("dark"), dark);
+  });
+  window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  window.restoreState(settings.value(QStringLiteral("state")).toByteArray());
+  window.show();
+  window.activateWindow();
+  window.openScene(QString::fromStdString(options.file.empty() ? "builtin:arthroscopy" : options.file));
+  const int status = application.exec();
+  settings.setValue(QStringLiteral("geometry"), window.saveGeometry());
+  settings.setValue(QStringLiteral("state"), window.saveState());
+  return status;
+}
+
+int runStudio(int argc, char** argv, const std::string& file) {
+  if (!displayIsThere()) {
+    const Error error{Fault::NoGraphics, {}, {}, "neither DISPLAY nor WAYLAND_DISPLAY is set"};
+    std::fprintf(stderr, "%s\n", sentenceOf(error).toUtf8().constData());
+    return 2;
+  }
+  prepareGraphics();
+  QApplication application(argc, argv);
+  return runStudio(application, {file});
+}
+
+}  // namespace glenoid

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/commands/BuildJointFile.h"
+#include "app/commands/Commands.h"
+#include "app/commands/Console.h"
+#include "app/commands/JointReport.h"
+#include "app/commands/OpenScene.h"
+
+namespace glenoid {
+namespace {
+
+Result<std::shared_ptr<const Model>> modelOf(const std::string& word) {
+  Result<Joint> joint = openJoint(word);
+  if (!joint) return joint.error();
+  const OpenScene scene = sceneAround(std::move(*joint));
+  return compileModel(scene.joint, scene.scenario);
+}
+
+Result<Done> info(const std::string& word, bool json) {
+  const auto model = modelOf(word);
+  if (!model) return model.error();
+  std::fputs((json ? jointInfoJson(**model) : jointInfoText(**model)).c_str(), stdout);
+  return Done{};
+}
+
+Result<Done> check(const std::string& word, bool json) {
+  const auto model = modelOf(word);
+  if (!model) return model.error();
+  const JointCheck found = checkJoint(**model);
+  std::fputs((json ? jointCheckJson(**model, found) : jointCheckText(**model, found)).c_str(), stdout);
+  if (found.holds()) return Done{};
+  return Error{Fault::CheckFailed, {word, "", "", {}}, {"the joint has problems, listed above"}, "joint check"};
+}
+
+}  // namespace
+
+void addJointCommand(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("joint", "Look at a joint, check it, or build one from surfaces");
+  command->require_subcommand(1);
+  struct Wishes {
+    std::string joint, recipe, meshes, out;
+    bool json = false;
+  };
+  auto wishes = std::make_shared<Wishes>();
+  const auto finish = [&status](const Result<Done>& done) { status = done ? kDone : complain(done.error()); };
+
+  CLI::App* infoCommand = command->add_subcommand("info", "Parts and couplings; the built-in shoulder beside the paper's Table 1");
+  CLI::App* checkCommand = command->add_subcommand("check", "Surfaces, tetrahedra, couplings, intersections at the start");
+  for (CLI::App* with : {infoCommand, checkCommand}) {
+    with->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
+    with->add_flag("--json", wishes->json, "For programs");
+  }
+  infoCommand->callback([=] { finish(info(wishes->joint, wishes->json)); });
+  checkCommand->callback([=] { finish(check(wishes->joint, wishes->json)); });
+
+  CLI::App* buildCommand = command->add_subcommand("build", "Simplify, embed and bind surfaces as a recipe says");
+  buildCommand->add_option("RECIPE", wishes->recipe, "A recipe, JSON")->required();
+  buildCommand->add_option("--meshes", wishes->meshes, "Folder of the surfaces it names")->required();
+  buildCommand->add_option("--out", wishes->out, "The .joint folder to write")->required();
+  buildCommand->callback([=] { finish(buildJointFile(wishes->recipe, wishes->meshes, wishes->out)); });
+}
+
+}  // namespace glenoid

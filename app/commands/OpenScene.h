@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "simcore/base/Error.h"
+#include "simcore/scene/Joint.h"
+#include "simcore/scene/Recording.h"
+#include "simcore/scene/Scenario.h"
+#include "simcore/step/Model.h"
+
+namespace glenoid {
+
+/// A scenario with what it refers to, read from files and not yet compiled.
+struct OpenScene {
+  Joint joint;
+  Scenario scenario;
+};
+
+/// SCENARIO of the command line: a file or "builtin:NAME". Fails as loading does.
+Result<OpenScene> openScenario(const std::string& word);
+
+/// JOINT of the command line: a folder or "builtin:NAME".
+Result<Joint> openJoint(const std::string& word);
+
+/// A joint for looking at: no tools, nothing held, no contact.
+OpenScene sceneAround(Joint joint);
+
+/// SCENARIO or JOINT.
+Result<OpenScene> openSceneOrJoint(const std::string& word);
+
+/// A recording file or "builtin:NAME".
+Result<Recording> openRecording(const std::string& word);
+
+/// The recording that the scenario ships with; nothing when it names none. `word`: how the scenario was named.
+Result<std::optional<Recording>> openShippedInput(const std::string& word, const Scenario& scenario);
+
+/// Sets effects from "friction=off,bursa=on" (also "auto"). Fails with BadUsage naming the word.
+Result<Done> applyEffects(const std::string& list, Effects& effects);
+
+}  // namespace glenoid

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/Outcome.h"
+
+#include "app/commands/Console.h"
+#include "simcore/file/AtomicWrite.h"
+#include "simcore/scene/RecordingFile.h"
+
+namespace glenoid {
+
+Result<Done> saveOutcome(const RunReport& report, const std::string& path) { return writeWholeFile(path, toJson(report)); }
+
+Result<Done> saveOutcome(const Recording& recording, const std::string& path) { return saveRecording(recording, path); }
+
+std::string summaryOf(const RunReport& r) {
+  std::string out = text("%s: %ld steps of %g ms, %s, %s\n", r.scenario.c_str(), r.steps, r.dt * 1e3, r.profile.c_str(),
+                         r.finite ? "finite" : "NOT FINITE");
+  if (r.rejectedSteps > 0) out += text("rejected:    %ld steps were not finite and not taken\n", r.rejectedSteps);
+  if (r.diverged) out += text("diverged:    the splitting diverged in %ld steps\n", r.paper ? r.paper->divergedSteps : 0L);
+  out += text("step:        %.3f ms median, %.3f ms at the 99th percentile (CPU); %.0f steps/s, %.1f times real time "
+              "(%.1f by CPU time)\n",
+              r.step.median, r.step.p99, r.stepsPerSecond, r.stepsPerSecond * r.dt, r.stepsPerCpuSecond * r.dt);
+  out += "contacts:    " + (r.contacts.rest ? text("%.1f at rest, ", *r.contacts.rest) : std::string()) +
+         text("%.1f mean, %d max; active %.1f mean, %d max; %d contact islands max\n", r.contacts.mean, r.contacts.max,
+              r.contacts.activeMean, r.contacts.activeMax, r.contactIslandsMax);
+  out += text("penetration: %.3f mm", r.penetrationMax * 1e3) +
+         (r.penetrationPair.empty() ? std::string() : " (" + r.penetrationPair + ")") +
+         (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) + "\n";
+  out += text("residual:    %.2e\n", r.residual);
+  if (r.paper)
+    out += text("paper:       D by node in %ld steps, by object in %ld; outer iterations %.1f mean, %d max, residual %.1e; "
+                "capped in %ld steps\n",
+                r.paper->nodeSteps, r.paper->objectSteps, r.paper->outerIterationsMean, r.paper->outerIterationsMax,
+                r.paper->outerResidualMax, r.paper->outerCappedSteps);
+  for (const MarkReport& mark : r.marks)
+    if (mark.begin < r.seconds)
+      out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);
+  return out + "state:       " + r.stateHash + "\n";
+}
+
+}  // namespace glenoid

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "simcore/base/Error.h"
+#include "simcore/live/RunReport.h"
+#include "simcore/scene/Recording.h"
+
+namespace glenoid {
+
+/// Writes a file as a whole or not at all. Fails with FileUnwritable.
+Result<Done> saveOutcome(const RunReport& report, const std::string& path);
+Result<Done> saveOutcome(const Recording& recording, const std::string& path);
+
+/// The few lines of a report that a person reads on the terminal.
+std::string summaryOf(const RunReport& report);
+
+}  // namespace glenoid

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <span>
+#include <string>
+
+#include "simcore/base/Error.h"
+#include "simcore/step/Model.h"
+#include "simcore/step/Stepper.h"
+
+namespace glenoid {
+
+/// What the user wants to see in a picture.
+struct PictureWishes {
+  std::string out;             ///< PNG to write
+  int width = 1280, height = 960;
+  std::string camera;          ///< id of the scenario's camera, or a side ("anterior"); empty: the scenario's first
+  std::string layers;          ///< as layersFromWords reads them; empty: the default
+  std::string part;            ///< id or number of the only part shown, framed; empty: all
+};
+
+/// "1280x960" → sizes. Fails with BadUsage or OutOfRange (1…16384).
+Result<Done> readSize(const std::string& words, PictureWishes& wishes);
+
+/// Draws without any display and writes the file. Fails with UnknownId (camera, part), BadUsage (layers),
+/// NoGraphics, FileUnwritable.
+Result<Done> drawPicture(const Model& model, const State& state, std::span<const ContactView> contacts,
+                         const PictureWishes& wishes);
+
+}  // namespace glenoid

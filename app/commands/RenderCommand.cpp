@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/Commands.h"
+#include "app/commands/Console.h"
+#include "app/commands/OpenScene.h"
+#include "app/commands/Picture.h"
+#include "simcore/live/Run.h"
+
+namespace glenoid {
+namespace {
+
+struct Wishes {
+  std::string scene, size;
+  double time = 0;
+  PictureWishes picture;
+};
+
+Result<Done> render(Wishes wishes) {
+  if (!wishes.size.empty())
+    if (const auto read = readSize(wishes.size, wishes.picture); !read) return read.error();
+  const Result<OpenScene> scene = openSceneOrJoint(wishes.scene);
+  if (!scene) return scene.error();
+  const auto model = compileModel(scene->joint, scene->scenario);
+  if (!model) return model.error();
+  if (wishes.time <= 0) return drawPicture(**model, (*model)->start, {}, wishes.picture);
+
+  const Result<std::optional<Recording>> input = openShippedInput(wishes.scene, scene->scenario);
+  if (!input) return input.error();
+  RunOptions options;
+  options.seconds = wishes.time;
+  options.stepper.profile = scene->scenario.profile;
+  options.input = *input ? &**input : nullptr;
+  options.checks = false;
+  ProgressLine progress("Running " + wishes.scene);
+  options.progress = [&](double fraction) {
+    progress.show(fraction);
+    return true;
+  };
+  const Result<RunResult> result = runScenario(*model, options);
+  if (!result) return result.error();
+  return drawPicture(**model, result->state, result->contacts, wishes.picture);
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, int& status) {
+  auto wishes = std::make_shared<Wishes>();
+  CLI::App* command = app.add_subcommand("render", "Draw a scenario or a joint into a picture, without a display");
+  command->add_option("SCENARIO|JOINT", wishes->scene, "A .scenario.json file, a .joint folder or builtin:NAME")->required();
+  command->add_option("--out", wishes->picture.out, "PNG to write")->required();
+  command->add_option("--size", wishes->size, "WIDTHxHEIGHT in pixels [1280x960]");
+  command->add_option("--camera", wishes->picture.camera,
+                      "One of the scenario's cameras, or anterior, posterior, lateral, medial, superior, inferior");
+  command->add_option("--layers", wishes->picture.layers,
+                      "Such as visual,contacts; of visual, collision, dynamics, couplings, contacts, tools, regions");
+  command->add_option("--time", wishes->time, "Run the scenario so far first, s")->check(CLI::NonNegativeNumber);
+  command->add_option("--part", wishes->picture.part, "Show this part alone: its id or number");
+  command->callback([wishes, &status] {
+    const Result<Done> done = render(*wishes);
+    status = done ? kDone : complain(done.error());
+  });
+}
+
+}  // namespace glenoid

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/DisplayState.h"
+
+#include <algorithm>
+
+namespace glenoid {
+
+bool Layers::*DisplayState::member(Layer layer) {
+  switch (layer) {
+    case Layer::Visual: return &Layers::visual;
+    case Layer::Collision: return &Layers::collision;
+    case Layer::Dynamics: return &Layers::dynamics;
+    case Layer::Couplings: return &Layers::couplings;
+    case Layer::Contacts: return &Layers::contacts;
+    case Layer::Regions: return &Layers::regions;
+    case Layer::Marker: return &Layers::marker;
+  }
+  return &Layers::visual;
+}
+
+void DisplayState::show(Layer layer, bool on) {
+  if (isShown(layer) == on) return;
+  m_layers.*member(layer) = on;
+  emit changed();
+}
+
+ObjectLook DisplayState::lookOf(const std::string& id) const {
+  const auto found = m_looks.find(id);
+  return found == m_looks.end() ? ObjectLook{} : found->second;
+}
+
+void DisplayState::setVisible(const std::string& id, bool visible) {
+  if (isVisible(id) == visible) return;
+  m_looks[id].visible = visible;
+  emit changed();
+}
+
+void DisplayState::setOpacity(const std::string& id, double opacity) {
+  const float clamped = static_cast<float>(std::clamp(opacity, 0.0, 1.0));
+  if (lookOf(id).opacity == clamped) return;
+  m_looks[id].opacity = clamped;
+  emit changed();
+}
+
+void DisplayState::solo(const std::set<std::string>& ids) {
+  if (m_soloed == ids) return;
+  m_soloed = ids;
+  emit changed();
+}
+
+void DisplayState::showAll() {
+  m_looks.clear();
+  m_soloed.clear();
+  emit changed();
+}
+
+Layers DisplayState::layersFor(const Model& model, const Selection& selection) const {
+  Layers layers = m_layers;
+  for (const SceneObject& object : model.objects) {
+    ObjectLook look = lookOf(object.id);
+    if (!m_soloed.empty()) look.visible = m_soloed.count(object.id) > 0;
+    look.selected = selection.contains(object.id);
+    look.hovered = selection.hovered() == object.id;
+    layers.objects.push_back(look);
+  }
+  return layers;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/Document.h"
+
+#include <QUndoCommand>
+#include <algorithm>
+
+namespace glenoid {
+
+class Document::SwapCommand : public QUndoCommand {
+ public:
+  SwapCommand(Document& document, const QString& text, Scene before, Scene after, ChangeSet changes,
+              QString gesture, int gestureNumber)
+      : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
+        m_changes(std::move(changes)), m_gesture(std::move(gesture)), m_gestureNumber(gestureNumber) {}
+
+  void undo() override { m_document.swap(m_before, m_changes); }
+  void redo() override { m_document.swap(m_after, m_changes); }
+  int id() const override { return m_gesture.isEmpty() ? -1 : 1; }
+
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const SwapCommand*>(other);  // the only command with an id
+    if (next->m_gesture != m_gesture || next->m_gestureNumber != m_gestureNumber) return false;
+    m_after = next->m_after;
+    return true;
+  }
+
+ private:
+  Document& m_document;
+  Scene m_before, m_after;
+  ChangeSet m_changes;
+  QString m_gesture;
+  int m_gestureNumber;
+};
+
+Document::Document(QObject* parent) : QObject(parent) {}
+
+void Document::swap(const Scene& scene, const ChangeSet& changes) {
+  m_scene = scene;
+  emit changed(changes);
+}
+
+void Document::open(Scene scene, const QString& path) {
+  m_undo.clear();
+  m_path = path;
+  ++m_gestureNumber;
+  ChangeSet all;
+  all.everything = all.model = all.settings = true;
+  swap(scene, all);
+}
+
+void Document::saved(const QString& path) {
+  m_path = path;
+  m_undo.setClean();
+  ++m_gestureNumber;
+}
+
+void Document::edit(const QString& text, const ChangeSet& changes, const Edit& change, const QString& gesture) {
+  Scene after = m_scene;
+  change(after);
+  m_undo.push(new SwapCommand(*this, text, m_scene, std::move(after), changes, gesture, m_gestureNumber));
+}
+
+void Document::setYoungsModulus(const std::string& material, double pascal) {
+  const int index = findMaterial(joint(), material);
+  if (index < 0 || joint().materials[index].youngsModulus == pascal) return;
+  ChangeSet changes;
+  changes.model = true;
+  changes.materials = {material};
+  edit(tr("Change the stiffness of “%1”").arg(QString::fromStdString(joint().materials[index].name)), changes,
+       [=](Scene& scene) { scene.joint.materials[index].youngsModulus = pascal; },
+       QStringLiteral("young:") + QString::fromStdString(material));
+}
+
+void Document::setCouplingStiffness(const std::string& coupling, double stiffnessPerArea) {
+  const auto& all = joint().couplings;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Coupling& c) { return c.id == coupling; });
+  if (found == all.end() || found->stiffnessPerArea == stiffnessPerArea) return;
+  const std::size_t index = found - all.begin();
+  ChangeSet changes;
+  changes.model = true;
+  changes.couplings = {coupling};
+  edit(tr("Change the coupling “%1”").arg(QString::fromStdString(coupling)), changes,
+       [=](Scene& scene) { scene.joint.couplings[index].stiffnessPerArea = stiffnessPerArea; },
+       QStringLiteral("coupling:") + QString::fromStdString(coupling));
+}
+
+void Document::setProfile(Profile profile) {
+  if (scenario().profile == profile) return;
+  ChangeSet changes;
+  changes.model = changes.settings = true;
+  edit(tr("Change the solver"), changes, [=](Scene& scene) { scene.scenario.profile = profile; });
+}
+
+}  // namespace glenoid

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/PlayLink.h"
+
+namespace glenoid {
+
+PlayLink::PlayLink(Document& document, Compiler compiler, StepMaker maker, QObject* parent)
+    : QObject(parent), m_document(document), m_compiler(std::move(compiler)), m_simulation(std::move(maker)) {
+  m_workers.setMaxThreadCount(1);
+  connect(&document, &Document::changed, this, &PlayLink::onChanged);
+  // Looking costs one atomic read; nothing is drawn unless something was published.
+  m_look.setInterval(16);
+  m_look.setTimerType(Qt::PreciseTimer);
+  connect(&m_look, &QTimer::timeout, this, &PlayLink::look);
+  m_look.start();
+  if (!document.isEmpty()) compile(false);
+}
+
+PlayLink::~PlayLink() {
+  m_workers.clear();
+  m_workers.waitForDone();
+}
+
+void PlayLink::look() {
+  if (m_simulation.takeSnapshot()) emit snapshotChanged();
+}
+
+void PlayLink::onChanged(const ChangeSet& changes) {
+  if (changes.everything) {
+    m_wishes.clear();
+    m_simulation.setHands(m_wishes);
+    m_simulation.pause();
+    m_carry = false;
+  }
+  if (changes.model) compile(m_carry);
+}
+
+void PlayLink::compile(bool carry) {
+  m_workers.clear();  // one that has not begun is out of date
+  const long generation = ++m_generation;
+  m_compiling = 1;
+  emit compilingChanged();
+  m_workers.start([this, generation, carry, scene = m_document.scene()] {
+    auto result = m_compiler(scene.joint, scene.scenario);
+    QMetaObject::invokeMethod(
+        this, [this, generation, carry, result = std::move(result)] { onCompiled(generation, carry, result); },
+        Qt::QueuedConnection);
+  });
+}
+
+void PlayLink::onCompiled(long generation, bool carry, Result<std::shared_ptr<const Model>> result) {
+  if (generation != m_generation) return;  // a newer one is on its way
+  m_compiling = 0;
+  emit compilingChanged();
+  if (!result.ok()) {
+    emit problem(result.error());
+    return;
+  }
+  StepperOptions options;
+  options.profile = result.value()->scenario.profile;
+  if (!carry) m_simulation.setRecording(m_followRecording ? m_document.scene().input : nullptr);
+  m_simulation.setModel(result.value(), options, carry);
+  m_carry = true;
+  emit compiled();
+}
+
+void PlayLink::reset() {
+  m_wishes.assign(m_wishes.size(), {});
+  m_simulation.setHands(m_wishes);
+  m_simulation.reset();
+}
+
+void PlayLink::setFollowRecording(bool follow) {
+  if (m_followRecording == follow) return;
+  m_followRecording = follow;
+  m_simulation.setRecording(follow ? m_document.scene().input : nullptr);
+}
+
+void PlayLink::holdTool(int tool, const Pose& hand) {
+  if (tool < 0) return;
+  if (static_cast<int>(m_wishes.size()) <= tool) m_wishes.resize(tool + 1);
+  m_wishes[tool] = {true, hand};
+  m_simulation.setHands(m_wishes);
+}
+
+void PlayLink::releaseTool(int tool) {
+  if (!isHeld(tool)) return;
+  m_wishes[tool].held = false;
+  m_simulation.setHands(m_wishes);
+}
+
+bool PlayLink::isHeld(int tool) const {
+  return tool >= 0 && tool < static_cast<int>(m_wishes.size()) && m_wishes[tool].held;
+}
+
+Pose PlayLink::handOf(int tool) const {
+  if (isHeld(tool)) return m_wishes[tool].hand;
+  const std::vector<Pose>& hands = snapshot().hands;
+  return tool >= 0 && tool < static_cast<int>(hands.size()) ? hands[tool] : Pose{};
+}
+
+}  // namespace glenoid

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <functional>
+
+#include "editor/core/Document.h"
+#include "simcore/live/SimulationThread.h"
+
+namespace glenoid {
+
+/// Between the document and the run. A change that matters is compiled on a worker; if that succeeds the run takes
+/// the new model and carries its state over by id, if not `problem` says why and the old model keeps running.
+/// Commands go on to the simulation thread; what it publishes is looked at here at display rate. GUI thread only.
+class PlayLink : public QObject {
+  Q_OBJECT
+ public:
+  using Compiler = std::function<Result<std::shared_ptr<const Model>>(const Joint&, const Scenario&)>;
+
+  /// `document` must outlive this. Compiler and maker are the real ones outside of tests.
+  explicit PlayLink(Document& document, Compiler compiler = compileModel, StepMaker maker = makeStepperStep,
+                    QObject* parent = nullptr);
+  ~PlayLink() override;
+
+  /// What the run last published; its model is null until the first one is compiled.
+  const Snapshot& snapshot() const { return m_simulation.snapshot(); }
+  bool isCompiling() const { return m_compiling > 0; }
+  /// A recorded input exists for this scene, and whether tools that nobody holds follow it.
+  bool hasRecording() const { return m_document.scene().input != nullptr; }
+  bool followsRecording() const { return m_followRecording; }
+
+ public slots:
+  void play() { m_simulation.play(); }
+  void pause() { m_simulation.pause(); }
+  void togglePlay() { snapshot().playing ? pause() : play(); }
+  void stepOnce() { m_simulation.stepOnce(); }
+  void reset();
+  void setFollowRecording(bool follow);
+
+ public:
+  /// The hand takes the tool (index in the scenario) to a pose, and keeps it there until release.
+  void holdTool(int tool, const Pose& hand);
+  void releaseTool(int tool);
+  bool isHeld(int tool) const;
+  /// Where the hand of a tool is wanted: by who holds it, else by the run. Identity for an unknown tool.
+  Pose handOf(int tool) const;
+
+ signals:
+  void snapshotChanged();
+  void compilingChanged();
+  void problem(const glenoid::Error& error);  ///< the last change cannot be simulated
+  void compiled();                            ///< it can; snapshotChanged follows when the run has taken it
+
+ private:
+  void onChanged(const ChangeSet& changes);
+  void onCompiled(long generation, bool carry, Result<std::shared_ptr<const Model>> result);
+  void compile(bool carry);
+  void look();
+
+  Document& m_document;
+  Compiler m_compiler;
+  SimulationThread m_simulation;
+  std::vector<HandWish> m_wishes;
+  bool m_followRecording = true;
+  long m_generation = 0;
+  int m_compiling = 0;
+  bool m_carry = true;  // false as long as an opened scene has not been taken
+  QTimer m_look;
+  QThreadPool m_workers;
+};
+
+}  // namespace glenoid

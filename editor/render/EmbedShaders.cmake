@@ -1,0 +1,10 @@
+# Writes OUT: one raw string literal for each file in SHADERS, found by file name through embeddedShader().
+set(text "// Generated from resources/shaders; not edited by hand.\n#include \"editor/render/GlResources.h\"\n\n")
+string(APPEND text "namespace glenoid {\nstd::string_view embeddedShader(std::string_view name) {\n")
+foreach(file ${SHADERS})
+  file(READ "${file}" content)
+  get_filename_component(name "${file}" NAME)
+  string(APPEND text "  if (name == \"${name}\")\n    return R\"glsl(${content})glsl\";\n")
+endforeach()
+string(APPEND text "  return {};\n}\n}  // namespace glenoid\n")
+file(WRITE "${OUT}" "${text}")

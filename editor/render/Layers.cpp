@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/render/Layers.h"
+
+namespace glenoid {
+
+Result<Layers> layersFromWords(std::string_view words) {
+  struct Word {
+    std::string_view name;
+    bool Layers::*member;
+  };
+  static constexpr Word kWords[] = {{"visual", &Layers::visual},     {"collision", &Layers::collision},
+                                    {"dynamics", &Layers::dynamics}, {"couplings", &Layers::couplings},
+                                    {"contacts", &Layers::contacts}, {"tools", &Layers::tools},
+                                    {"regions", &Layers::regions}};
+  Layers layers;
+  layers.visual = false;
+  while (!words.empty()) {
+    const std::size_t comma = words.find(',');
+    const std::string_view name = words.substr(0, comma);
+    words = comma == std::string_view::npos ? std::string_view() : words.substr(comma + 1);
+    bool known = name == "all" || name == "none";
+    for (const Word& word : kWords) {
+      if (name == "none") layers.*word.member = false;
+      if (name != word.name && name != "all") continue;
+      layers.*word.member = true;
+      known = true;
+    }
+    if (!known) return Error{Fault::BadUsage, {}, {std::string(name)}, "unknown layer"};
+  }
+  return layers;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "simcore/base/Error.h"
+#include "simcore/scene/Part.h"
+
+namespace glenoid {
+
+/// How one object is shown.
+struct ObjectLook {
+  bool visible = true;
+  float opacity = 1;      ///< 0…1; below 1 the object's front layer is blended
+  bool selected = false;  ///< outline and tint
+  bool hovered = false;   ///< fainter than selected
+};
+
+/// Triangles of one surface in a colour of their own: a region that is being picked, an error shown in place.
+struct TriangleMark {
+  int object = 0;
+  SurfaceKind surface = SurfaceKind::Visual;
+  std::vector<int> triangles;
+  std::array<float, 3> color{1.0f, 0.55f, 0.1f};  ///< sRGB
+};
+
+/// What is shown: each layer for itself, as in the paper's Figure 1.
+struct Layers {
+  bool visual = true;               ///< visual surfaces, smooth
+  bool collision = false;           ///< collision surfaces, flat with their edges
+  bool dynamics = false;            ///< edges of the tetrahedra
+  bool couplings = false;           ///< springs and their ends
+  bool contacts = false;            ///< points, normals, length by force
+  bool tools = true;                ///< tools, whatever surface is shown
+  bool regions = false;             ///< all named regions, colour by kind
+  bool marker = true;               ///< orientation in the corner
+  std::vector<ObjectLook> objects;  ///< by object index; missing entries: default
+  std::vector<TriangleMark> marks;
+
+  ObjectLook lookOf(int object) const {
+    return object < static_cast<int>(objects.size()) ? objects[object] : ObjectLook{};
+  }
+};
+
+/// From a comma-separated list ("visual,contacts"); words as the members above, without `marker`. Tools and
+/// marker stay as they are by default; "all" and "none" are understood. Fails with BadUsage naming the word.
+Result<Layers> layersFromWords(std::string_view words);
+
+/// How it is drawn.
+struct Look {
+  bool dark = false;             ///< background for a dark theme
+  bool transparent = false;      ///< no background: alpha 0 where nothing is
+  bool detail = true;            ///< fibres of muscle, mottled bone
+  bool ambientOcclusion = true;  ///< darker hollows; costs one screen pass
+  int samples = -1;              ///< MSAA; −1: 4, or 1 on a software renderer
+  int supersample = 1;           ///< 1…4: drawn larger by this factor and averaged
+  double pixelRatio = 1;         ///< device pixels per logical pixel: width of lines and size of the marker
+};
+
+}  // namespace glenoid

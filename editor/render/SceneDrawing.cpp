@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layers of a frame, in the order in which they are laid down: opaque surfaces, lines, transparent
+// surfaces from far to near (of each only its front layer), and what is hidden of springs and contacts once
+// more, faintly.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/render/SceneRendererInside.h"
+
+namespace glenoid {
+namespace {
+
+constexpr float kLift = 1.2e-3f;  ///< of lines above the surface they lie on, share of the distance
+
+Eigen::Vector4f withAlpha(const Eigen::Vector3f& color, float alpha) {
+  return {color.x(), color.y(), color.z(), alpha};
+}
+
+Eigen::Vector3f colorOf(const ObjectGeometry& object) {
+  return linearColor(object.color[0], object.color[1], object.color[2]);
+}
+
+/// Colour of a named region by what it is.
+Eigen::Vector3f regionColor(const std::string& kind) {
+  if (kind == "footprint") return linearColor(0.85f, 0.33f, 0.20f);
+  if (kind == "cartilage") return linearColor(0.45f, 0.72f, 0.85f);
+  if (kind == "tendon") return linearColor(0.93f, 0.90f, 0.78f);
+  if (kind == "landmark") return linearColor(0.55f, 0.35f, 0.75f);
+  if (kind == "groove") return linearColor(0.95f, 0.72f, 0.20f);
+  return linearColor(0.30f, 0.65f, 0.45f);
+}
+
+}  // namespace
+
+void SceneRenderer::Inside::triangles(Range indices) {
+  glDrawElements(
+      GL_TRIANGLES, indices.count, GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(static_cast<std::size_t>(indices.first) * sizeof(std::uint32_t)));
+}
+
+void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const Layers& layers) {
+  const ObjectGeometry& object = scene.objects[shown.object];
+  const ObjectLook look = layers.lookOf(shown.object);
+  surface->use();
+  glBindVertexArray(evaluator.surfaces());
+  surface->set("worldToView", eye.worldToView);
+  surface->set("viewToClip", eye.viewToClip);
+  surface->set("up_V", eye.up_V);
+  surface->set("color", colorOf(object));
+  surface->set("opacity", look.opacity);
+  surface->set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
+  surface->set("roughness", object.tool ? 0.28f : object.layout.rigid ? 0.55f : 0.40f);
+  const bool bone = object.layout.rigid && !object.tool;
+  surface->set("grain", shown.kind == SurfaceKind::Collision ? 0 : object.fibres ? 1 : bone ? 2 : 0);
+  Eigen::Vector4f tint = Eigen::Vector4f::Zero();
+  if (look.hovered) tint = withAlpha(linearColor(1.0f, 0.90f, 0.70f), 0.16f);
+  if (look.selected) tint = withAlpha(linearColor(1.0f, 0.62f, 0.18f), 0.26f);
+  surface->set("tint", tint);
+
+  if (look.opacity >= 1) {
+    glDepthFunc(GL_LESS);
+    triangles(object.surface(shown.kind).triangles);
+  } else {
+    // First its depth alone, then its colour where that depth won: one layer, whatever the order of its
+    // triangles.
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthFunc(GL_LESS);
+    triangles(object.surface(shown.kind).triangles);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_LEQUAL);
+    glEnable(GL_BLEND);
+    triangles(object.surface(shown.kind).triangles);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+  }
+  drawOverlays(shown, layers);
+}
+
+/// Regions and marks on a surface that has just been drawn: the same triangles again, at the same depth.
+void SceneRenderer::Inside::drawOverlays(const Shown& shown, const Layers& layers) {
+  const bool marked = std::any_of(layers.marks.begin(), layers.marks.end(), [&](const TriangleMark& m) {
+    return m.object == shown.object && m.surface == shown.kind;
+  });
+  if (!layers.regions && !marked) return;
+  const SurfaceRanges& ranges = scene.objects[shown.object].surface(shown.kind);
+  surface->set("tint", Eigen::Vector4f(0, 0, 0, 0));
+  surface->set("grain", 0);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  if (layers.regions)
+    for (const RegionRanges& region : scene.regions) {
+      if (region.object != shown.object || region.surface != shown.kind) continue;
+      surface->set("color", regionColor(region.kind));
+      surface->set("opacity", 0.72f);
+      triangles(region.triangles);
+    }
+  std::vector<GLsizei> counts;
+  std::vector<const void*> offsets;
+  for (const TriangleMark& mark : layers.marks) {
+    if (mark.object != shown.object || mark.surface != shown.kind) continue;
+    counts.clear();
+    offsets.clear();
+    for (const int t : mark.triangles) {
+      if (t < 0 || 3 * t >= ranges.triangles.count) continue;
+      counts.push_back(3);
+      offsets.push_back(
+          reinterpret_cast<const void*>(static_cast<std::size_t>(ranges.triangles.first + 3 * t) * 4));
+    }
+    surface->set("color", linearColor(mark.color[0], mark.color[1], mark.color[2]));
+    surface->set("opacity", 0.85f);
+    if (!counts.empty())
+      glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
+                          static_cast<GLsizei>(counts.size()));
+  }
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::Inside::drawScene(const Eye& eye, const Layers& layers,
+                                      std::span<const ContactView> contacts, double strokeScale) {
+  const std::vector<Shown> shown = shownSurfaces(layers);
+  painter.begin(eye.worldToClip, frame.width() * frame.factor(), frame.height() * frame.factor(),
+                eye.depthScale());
+  glEnable(GL_DEPTH_TEST);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  std::vector<std::pair<double, Shown>> blended;
+  for (const Shown& s : shown) {
+    if (!s.filled) continue;
+    if (layers.lookOf(s.object).opacity >= 1) {
+      drawFilled(s, eye, layers);
+      continue;
+    }
+    // By the nearest corner: what encloses another is nearer than it and comes later.
+    double nearest = 1e30;
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 p = boxes[s.object].corner(static_cast<Box3::CornerType>(corner));
+      const Eigen::Vector4f p_V = eye.worldToView * Eigen::Vector4f(p.cast<float>().homogeneous());
+      nearest = std::min(nearest, static_cast<double>(-p_V.z()));
+    }
+    blended.push_back({nearest, s});
+  }
+
+  const auto strokes = [&](float strength, GLenum test) {
+    glEnable(GL_BLEND);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(test);
+    if (layers.couplings) drawSprings(layers, strokeScale, strength);
+    if (layers.contacts) drawContacts(layers, contacts, strokeScale, strength);
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+  };
+  strokes(1, GL_LEQUAL);
+  drawEdges(shown, layers, strokeScale);
+  std::stable_sort(blended.begin(), blended.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (const auto& [distance, s] : blended) drawFilled(s, eye, layers);
+  if (layers.couplings || layers.contacts) strokes(0.35f, GL_GREATER);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::Inside::drawEdges(const std::vector<Shown>& shown, const Layers& layers, double scale) {
+  glEnable(GL_BLEND);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_LEQUAL);
+  for (const Shown& s : shown) {
+    if (!s.edges) continue;
+    const ObjectGeometry& object = scene.objects[s.object];
+    const Eigen::Vector3f ink = 0.18f * colorOf(object);
+    painter.linesByIndex(evaluator.points(), object.collision.edges,
+                         withAlpha(ink, 0.75f * std::min(1.0f, layers.lookOf(s.object).opacity)),
+                         {static_cast<float>(0.9 * scale), kLift, 1});
+  }
+  if (layers.dynamics)
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const ObjectGeometry& object = scene.objects[i];
+      const ObjectLook look = layers.lookOf(static_cast<int>(i));
+      if (!look.visible || object.tetEdges.count == 0) continue;
+      const Eigen::Vector3f ink = 0.55f * colorOf(object);
+      const Stroke stroke{static_cast<float>(1.0 * scale), 0, 1};
+      painter.linesByIndex(evaluator.points(), object.tetEdges, withAlpha(ink, 0.9f), stroke);
+      if (!layers.visual) continue;
+      glDepthFunc(GL_GREATER);  // inside the opaque surface: a hint of it
+      painter.linesByIndex(evaluator.points(), object.tetEdges, withAlpha(ink, 0.16f), stroke);
+      glDepthFunc(GL_LEQUAL);
+    }
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::Inside::drawSprings(const Layers& layers, double scale, float strength) {
+  const Eigen::Vector3f line = linearColor(0.10f, 0.55f, 0.62f), end = linearColor(0.16f, 0.78f, 0.80f);
+  // Runs of springs whose objects are both shown.
+  const auto seen = [&](int object) { return layers.lookOf(object).visible; };
+  const int springs = scene.springs.count / 2;
+  for (int first = 0; first < springs;) {
+    int last = first;
+    while (last < springs && seen(scene.springObjects[last][0]) && seen(scene.springObjects[last][1])) ++last;
+    const Range run{scene.springs.first + 2 * first, 2 * (last - first)};
+    painter.lines(evaluator.points(), run, withAlpha(line, 0.95f),
+                  {static_cast<float>(1.6 * scale), kLift, strength});
+    painter.dots(evaluator.points(), run, withAlpha(end, 1),
+                 {static_cast<float>(4.0 * scale), kLift, strength});
+    first = last + 1;
+  }
+}
+
+void SceneRenderer::Inside::drawContacts(const Layers& layers, std::span<const ContactView> contacts,
+                                         double scale, float strength) {
+  const Eigen::Vector4f idle = withAlpha(linearColor(0.98f, 0.86f, 0.30f), 0.9f);
+  const Eigen::Vector4f active = withAlpha(linearColor(0.92f, 0.16f, 0.12f), 1);
+  std::vector<ColoredPoint> points, normals;
+  for (const ContactView& contact : contacts) {
+    if (!layers.lookOf(std::max(contact.objectA, 0)).visible &&
+        !layers.lookOf(std::max(contact.objectB, 0)).visible)
+      continue;
+    if (!contact.point_W.allFinite() || !contact.normal_W.allFinite()) continue;
+    // 2 mm without force; with force 4 mm for each tenfold above a hundredth of a newton: 10 N gives 14 mm.
+    const double length = contact.force > 0 ? 0.002 + 0.004 * std::log10(1 + 100 * contact.force) : 0.002;
+    const Eigen::Vector4f& color = contact.force > 0 ? active : idle;
+    const Vec3 tip = contact.point_W + length * contact.normal_W;
+    points.push_back({contact.point_W.cast<float>(), color});
+    normals.push_back({contact.point_W.cast<float>(), color});
+    normals.push_back({tip.cast<float>(), color});
+  }
+  painter.lines(normals, {static_cast<float>(1.8 * scale), kLift, strength});
+  painter.dots(points, {static_cast<float>(4.5 * scale), kLift, strength});
+}
+
+void SceneRenderer::Inside::drawMask(const Eye& eye, const Layers& layers) {
+  frame.bindMask();
+  mask.use();
+  mask.set("worldToView", eye.worldToView);
+  mask.set("viewToClip", eye.viewToClip);
+  glBindVertexArray(evaluator.surfaces());
+  for (const bool selected : {false, true})  // selected last: it wins where both are
+    for (const Shown& s : shownSurfaces(layers)) {
+      const ObjectLook look = layers.lookOf(s.object);
+      if (!s.filled || (selected ? !look.selected : !look.hovered || look.selected)) continue;
+      mask.set("amount", selected ? 1.0f : 0.5f);
+      triangles(scene.objects[s.object].surface(s.kind).triangles);
+    }
+}
+
+}  // namespace glenoid

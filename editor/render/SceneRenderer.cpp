@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/render/SceneRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/render/Marker.h"
+#include "editor/render/SceneRendererInside.h"
+
+namespace glenoid {
+namespace {
+
+/// Share of the scene's diagonal within which surfaces shade each other.
+constexpr double kOcclusionReach = 0.045;
+
+bool anyChosen(const Layers& layers) {
+  return std::any_of(layers.objects.begin(), layers.objects.end(),
+                     [](const ObjectLook& o) { return o.visible && (o.selected || o.hovered); });
+}
+
+}  // namespace
+
+SceneRenderer::SceneRenderer() : m_inside(std::make_unique<Inside>()) {}
+SceneRenderer::~SceneRenderer() = default;
+
+Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
+  std::unique_ptr<SceneRenderer> renderer(new SceneRenderer);
+  Inside& in = *renderer->m_inside;
+  in.info = glInfo();
+  if (!in.info.usable) return Error{Fault::NoGraphics, {}, {}, "OpenGL '" + in.info.version + "'"};
+  struct Wanted {
+    Program* program;
+    const char *vertex, *fragment;
+  };
+  for (const Wanted& wanted : {Wanted{&in.plainSurface, "surface.vert.glsl", "surface.frag.glsl"},
+                               Wanted{&in.mask, "surface.vert.glsl", "mask.frag.glsl"},
+                               Wanted{&in.pick, "surface.vert.glsl", "pick.frag.glsl"},
+                               Wanted{&in.occlusion, "screen.vert.glsl", "occlusion.frag.glsl"}}) {
+    auto program = Program::build({wanted.vertex, wanted.fragment});
+    if (!program) return program.error();
+    *wanted.program = std::move(*program);
+  }
+  auto detailed = Program::build({"surface.vert.glsl", "surface.frag.glsl"}, nullptr, "#define DETAIL\n");
+  if (!detailed) return detailed.error();
+  in.detailedSurface = std::move(*detailed);
+  for (const int occlusion : {0, 1})
+    for (const int outline : {0, 1}) {
+      std::string defines = occlusion ? "#define WITH_OCCLUSION\n" : "";
+      if (outline) defines += "#define WITH_OUTLINE\n";
+      auto program = Program::build({"screen.vert.glsl", "compose.frag.glsl"}, nullptr, defines);
+      if (!program) return program.error();
+      in.compose[occlusion][outline] = std::move(*program);
+    }
+  if (auto built = in.evaluator.build(); !built) return built.error();
+  if (auto built = in.painter.build(); !built) return built.error();
+  return renderer;
+}
+
+Result<Done> SceneRenderer::setScene(const Model& model) {
+  Inside& in = *m_inside;
+  auto geometry = buildSceneGeometry(model);
+  if (!geometry) return geometry.error();
+  if (auto set = in.evaluator.setScene(*geometry); !set) return set;
+  in.scene = std::move(*geometry);
+  in.boxedQ.resize(0);
+  in.boxes.clear();
+  return Done{};
+}
+
+void SceneRenderer::Inside::updateBoxes(const VecX& q) {
+  if (boxedQ.size() == q.size() && boxedQ == q) return;
+  boxedQ = q;
+  boxes.assign(scene.objects.size(), Box3());
+  for (std::size_t i = 0; i < scene.objects.size(); ++i)
+    for (const SurfaceRanges* ranges : {&scene.objects[i].visual, &scene.objects[i].collision})
+      for (int v = ranges->vertices.first; v < ranges->vertices.first + ranges->meshVertices; ++v) {
+        const Vec3 p = positionOf(scene.vertices[v], q);
+        if (p.allFinite()) boxes[i].extend(p);
+      }
+}
+
+std::vector<Shown> SceneRenderer::Inside::shownSurfaces(const Layers& layers) const {
+  std::vector<Shown> shown;
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const ObjectLook look = layers.lookOf(i);
+    if (!look.visible || look.opacity <= 0) continue;
+    const ObjectGeometry& object = scene.objects[i];
+    const bool visual = object.visual.present && (object.tool ? layers.tools : layers.visual);
+    const bool collision = object.collision.present && layers.collision && (layers.tools || !object.tool);
+    if (visual) shown.push_back({i, SurfaceKind::Visual, true, false});
+    if (collision) shown.push_back({i, SurfaceKind::Collision, !visual, true});
+  }
+  return shown;
+}
+
+Eye SceneRenderer::Inside::eyeFor(const View& view, const Layers& layers, double aspect) const {
+  const ViewAxes axes = axesOf(view);
+  double nearest = 1e30, farthest = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].isEmpty() || !layers.lookOf(static_cast<int>(i)).visible) continue;
+    for (int corner = 0; corner < 8; ++corner) {
+      const double depth =
+          (view.eye_W - boxes[i].corner(static_cast<Box3::CornerType>(corner))).dot(axes.back_W);
+      nearest = std::min(nearest, depth);
+      farthest = std::max(farthest, depth);
+    }
+  }
+  Eye eye;
+  // A margin for what has no surface: springs, normals, nodes of the cells outside.
+  eye.farPlane = farthest > 0 ? 1.1 * farthest + 0.02 : 1;
+  eye.nearPlane = std::max(0.8 * nearest - 0.02, eye.farPlane / 2000);
+  if (!(eye.nearPlane < 0.9 * eye.farPlane)) eye.nearPlane = eye.farPlane / 2000;
+  eye.tanHalfY = std::tan(view.fieldOfView / 2);
+  eye.tanHalfX = eye.tanHalfY * aspect;
+  const Eigen::Matrix4d world = viewMatrix(view),
+                        clip = projectionMatrix(view, aspect, eye.nearPlane, eye.farPlane);
+  eye.worldToView = world.cast<float>();
+  eye.viewToClip = clip.cast<float>();
+  eye.worldToClip = (clip * world).cast<float>();
+  eye.up_V = world.block<3, 1>(0, 1).cast<float>();
+  return eye;
+}
+
+void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
+                         std::span<const ContactView> contacts, const Look& look, const Target& target) {
+  Inside& in = *m_inside;
+  if (target.width < 1 || target.height < 1) return;
+  const int factor = std::clamp(look.supersample, 1, 4);
+  GLint most = 1;
+  glGetIntegerv(GL_MAX_SAMPLES, &most);
+  const int samples =
+      std::clamp(look.samples < 0 ? (in.info.software ? 1 : 4) : look.samples, 1, std::max(most, 1));
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_FRAMEBUFFER_SRGB);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  if (!in.frame.resize(target.width, target.height, factor, samples) &&
+      !in.frame.resize(target.width, target.height, 1, 1))
+    return;
+  glDisable(GL_BLEND);
+  glDisable(GL_DEPTH_TEST);
+
+  const bool fits = in.fits(q);
+  if (fits) {
+    in.updateBoxes(q);
+    in.evaluator.evaluate(q);
+  }
+  const Eye eye = in.eyeFor(view, layers, static_cast<double>(target.width) / target.height);
+  Box3 whole;
+  for (const Box3& box : in.boxes) whole.extend(box);
+  const double diagonal = whole.isEmpty() ? 0.1 : whole.diagonal().norm();
+  const double radius = std::min(kOcclusionReach * diagonal, 0.15 * (view.eye_W - view.target_W).norm());
+
+  in.surface = look.detail ? &in.detailedSurface : &in.plainSurface;
+  in.frame.bindScene();
+  if (fits) in.drawScene(eye, layers, contacts, std::max(look.pixelRatio, 0.1) * in.frame.factor());
+  in.frame.resolveScene();
+  if (fits && anyChosen(layers)) in.drawMask(eye, layers);
+  if (look.ambientOcclusion) in.drawOcclusion(eye, radius);
+  in.drawComposed(layers, look, target, radius);
+  if (layers.marker) in.drawMarker(view, look, target);
+  glBindVertexArray(0);
+  glUseProgram(0);
+}
+
+void SceneRenderer::Inside::drawOcclusion(const Eye& eye, double radius) {
+  frame.bindOcclusion();
+  occlusion.use();
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, frame.depth());
+  occlusion.set("depth", 0);
+  occlusion.set("tanHalf", static_cast<float>(eye.tanHalfX), static_cast<float>(eye.tanHalfY));
+  // 1 / distance is linear in the depth that is stored: (2 d − 1 + P22) / P23 with P the projection.
+  const float p22 = eye.viewToClip(2, 2), p23 = eye.viewToClip(2, 3);
+  occlusion.set("depthToZ", 2 / p23, (p22 - 1) / p23);
+  occlusion.set("factor", frame.factor());
+  occlusion.set("size", frame.width(), frame.height());
+  occlusion.set("radius", static_cast<float>(radius));
+  occlusion.set("directions", info.software ? 8 : 16);
+  glBindVertexArray(empty.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look, const Target& target,
+                                         double radius) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, target.width, target.height);
+  const bool outlined = anyChosen(layers);
+  const Program& program = compose[look.ambientOcclusion ? 1 : 0][outlined ? 1 : 0];
+  program.use();
+  const unsigned textures[] = {frame.color(), frame.occlusion(), frame.mask()};
+  const char* names[] = {"scene", "occlusion", "mask"};
+  for (int unit = 0; unit < 3; ++unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, textures[unit]);
+    program.set(names[unit], unit);
+  }
+  program.set("factor", frame.factor());
+  program.set("size", frame.width(), frame.height());
+  program.set("radius", static_cast<float>(radius));
+  program.set("outlinePx", std::clamp(static_cast<int>(std::lround(2 * look.pixelRatio)), 1, 5));
+  program.set("outlineColor", look.dark ? linearColor(1.0f, 0.72f, 0.25f) : linearColor(0.93f, 0.45f, 0.05f));
+  const Eigen::Vector3f top =
+      look.dark ? linearColor(0.235f, 0.262f, 0.302f) : linearColor(0.955f, 0.965f, 0.975f);
+  const Eigen::Vector3f bottom =
+      look.dark ? linearColor(0.090f, 0.102f, 0.122f) : linearColor(0.800f, 0.830f, 0.860f);
+  program.set("top", Eigen::Vector3f(top.cwiseSqrt()));
+  program.set("bottom", Eigen::Vector3f(bottom.cwiseSqrt()));
+  program.set("background", look.transparent ? 0 : 1);
+  glBindVertexArray(empty.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  for (int unit = 2; unit >= 0; --unit) {
+    glActiveTexture(GL_TEXTURE0 + unit);
+    glBindTexture(GL_TEXTURE_2D, 0);
+  }
+}
+
+void SceneRenderer::Inside::drawMarker(const View& view, const Look& look, const Target& target) {
+  const double size = std::min(96 * look.pixelRatio, 0.28 * std::min(target.width, target.height));
+  const MarkerLines marker = markerLines(view, size, look.dark);
+  Eigen::Matrix4f pixels = Eigen::Matrix4f::Identity();
+  pixels(0, 0) = 2.0f / static_cast<float>(target.width);
+  pixels(1, 1) = 2.0f / static_cast<float>(target.height);
+  pixels(0, 3) = pixels(1, 3) = -1;
+  painter.begin(pixels, target.width, target.height, 0);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  const float width = static_cast<float>(std::max(1.0, size / 48));
+  painter.lines(marker.axes, {width, 0, 1});
+  painter.lines(marker.letters, {0.8f * width, 0, 1});
+  glDisable(GL_BLEND);
+}
+
+Box3 SceneRenderer::bounds(const VecX& q, const Layers& layers) const {
+  Inside& in = *m_inside;
+  Box3 box;
+  if (!in.fits(q)) return box;
+  in.updateBoxes(q);
+  for (const Shown& shown : in.shownSurfaces(layers)) box.extend(in.boxes[shown.object]);
+  if (!box.isEmpty()) return box;
+  for (std::size_t i = 0; i < in.boxes.size(); ++i)  // only edges or springs are shown
+    if (layers.lookOf(static_cast<int>(i)).visible) box.extend(in.boxes[i]);
+  return box;
+}
+
+SceneRenderer::Evaluated SceneRenderer::evaluated(int object, SurfaceKind kind, const VecX& q) {
+  Inside& in = *m_inside;
+  Evaluated out;
+  if (!in.fits(q) || object < 0 || object >= static_cast<int>(in.scene.objects.size())) return out;
+  const SurfaceRanges& surface = in.scene.objects[object].surface(kind);
+  if (!surface.present) return out;
+  in.evaluator.evaluate(q);
+  const auto positions = in.evaluator.readPositions(surface.vertices),
+             normals = in.evaluator.readNormals(surface.vertices);
+  out.positions_W.resize(surface.meshVertices);
+  out.normals_W.assign(surface.meshVertices, Eigen::Vector3f::Zero());
+  for (int i = 0; i < surface.vertices.count; ++i) {
+    const int v = in.scene.source[surface.vertices.first + i];
+    out.positions_W[v] = positions[i].head<3>();
+    out.normals_W[v] += normals[i].head<3>();
+  }
+  for (Eigen::Vector3f& n : out.normals_W)
+    if (n.norm() > 0) n.normalize();
+  return out;
+}
+
+}  // namespace glenoid

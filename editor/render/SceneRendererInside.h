@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+#include "editor/render/FrameBuffers.h"
+#include "editor/render/GlContext.h"
+#include "editor/render/GlResources.h"
+#include "editor/render/LinePainter.h"
+#include "editor/render/SceneGeometry.h"
+#include "editor/render/SceneRenderer.h"
+#include "editor/render/StateEvaluator.h"
+
+/// What SceneRenderer's files share; private to this folder.
+namespace glenoid {
+
+/// Matrices and depth range of one frame.
+struct Eye {
+  Eigen::Matrix4f worldToView, viewToClip, worldToClip;
+  Eigen::Vector3f up_V;  ///< the world's vertical
+  double nearPlane, farPlane;
+  double tanHalfX, tanHalfY;
+  double depthScale() const { return 2 * farPlane * nearPlane / (farPlane - nearPlane); }
+};
+
+/// One surface that is to be drawn filled, with edges, or both.
+struct Shown {
+  int object;
+  SurfaceKind kind;
+  bool filled, edges;
+};
+
+struct SceneRenderer::Inside {
+  GlInfo info;
+  StateEvaluator evaluator;
+  LinePainter painter;
+  FrameBuffers frame;
+  PickTarget pickTarget;
+  Program plainSurface, detailedSurface, mask, pick, occlusion;
+  const Program* surface = &plainSurface;  ///< of the frame that is being drawn
+  Program compose[2][2];                   ///< [with occlusion][with outline]
+  GlVertexArray empty;                     ///< for passes that need no attribute
+
+  SceneGeometry scene;
+  VecX boxedQ;              ///< q for which boxes hold
+  std::vector<Box3> boxes;  ///< by object, W, all its surfaces
+
+  bool fits(const VecX& q) const { return q.size() == scene.qSize; }
+  void updateBoxes(const VecX& q);
+  Eye eyeFor(const View& view, const Layers& layers, double aspect) const;
+  std::vector<Shown> shownSurfaces(const Layers& layers) const;
+
+  void drawScene(const Eye& eye, const Layers& layers, std::span<const ContactView> contacts,
+                 double strokeScale);
+  void drawFilled(const Shown& shown, const Eye& eye, const Layers& layers);
+  void drawOverlays(const Shown& shown, const Layers& layers);
+  void drawEdges(const std::vector<Shown>& shown, const Layers& layers, double scale);
+  void drawSprings(const Layers& layers, double scale, float strength);
+  void drawContacts(const Layers& layers, std::span<const ContactView> contacts, double scale,
+                    float strength);
+  void drawMask(const Eye& eye, const Layers& layers);
+  void drawOcclusion(const Eye& eye, double radius);
+  void drawComposed(const Layers& layers, const Look& look, const Target& target, double radius);
+  void drawMarker(const View& view, const Look& look, const Target& target);
+  void triangles(Range indices);
+  bool pickInto(const View& view, const VecX& q, const Layers& layers, const Target& target, int x0, int y0,
+                int width, int height);
+};
+
+}  // namespace glenoid

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QMainWindow>
+
+#include "editor/core/DisplayState.h"
+#include "editor/core/Document.h"
+#include "editor/core/PlayLink.h"
+#include "editor/ui/Actions.h"
+#include "editor/ui/GlProbe.h"
+
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QToolBar;
+
+namespace glenoid {
+
+class LayersPanel;
+class PartTree;
+class PropertiesPanel;
+class SceneView;
+class StatusFigures;
+class ToolPanel;
+
+/// The window: puts views and actions together, decides nothing. It owns none of the four below, which must
+/// outlive it. Loading and saving come from the application.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  struct Parts {
+    Document& document;
+    PlayLink& link;
+    DisplayState& display;
+    Selection& selection;
+  };
+
+  MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver);
+  ~MainWindow() override;
+
+  SceneView* view() const { return m_view; }  ///< null without OpenGL
+  Actions& actions() { return m_actions; }
+  /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
+  void openScene(const QString& path);
+  void showProblem(const QString& sentence);
+
+ signals:
+  void languageWanted(const QString& code);
+  void themeWanted(bool dark);
+  void sceneOpened();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void makeFileActions();
+  void makeEditActions();
+  void makeViewActions();
+  void makeSimulationActions();
+  void makeMenus();
+  void makeToolBars();
+  void makeDocks();
+  QWidget* makeCentre(const GlProbe& graphics);
+  void retranslate();
+  void refreshTitle();
+  void refreshRun();
+  bool mayDiscard();
+  void askForScene();
+  void askForJointFolder();
+  void saveAs();
+  void exportPicture();
+  void showAbout();
+
+  Document& m_document;
+  PlayLink& m_link;
+  DisplayState& m_display;
+  Selection& m_selection;
+  SceneLoader m_loader;
+  SceneSaver m_saver;
+  Actions m_actions;
+  SceneView* m_view = nullptr;
+  PartTree* m_tree = nullptr;
+  LayersPanel* m_layers = nullptr;
+  PropertiesPanel* m_properties = nullptr;
+  ToolPanel* m_tools = nullptr;
+  StatusFigures* m_figures = nullptr;
+  QLabel *m_problem = nullptr, *m_noGraphics = nullptr, *m_busy = nullptr;
+  QWidget* m_banner = nullptr;
+  std::vector<QMenu*> m_menus;
+  std::vector<QDockWidget*> m_docks;
+  QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr;
+  std::vector<QToolBar*> m_toolBars;
+  QThreadPool m_workers;
+  int m_opening = 0, m_openings = 0;  ///< the one under way (0: none), and how many so far
+};
+
+}  // namespace glenoid

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/ui/PropertiesPanel.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "editor/core/Sentences.h"
+#include "editor/ui/Numbers.h"
+
+namespace glenoid {
+namespace {
+
+QString text(const std::string& s) { return QString::fromStdString(s); }
+
+QLabel* label(const QString& words, const char* role = nullptr) {
+  auto* made = new QLabel(words);
+  made->setWordWrap(true);
+  made->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  if (role) made->setProperty("role", QLatin1String(role));
+  return made;
+}
+
+QFormLayout* group(QVBoxLayout& layout, const QString& title) {
+  auto* box = new QGroupBox(title);
+  auto* form = new QFormLayout(box);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setLabelAlignment(Qt::AlignLeft);
+  layout.addWidget(box);
+  return form;
+}
+
+/// Takes a value when the person is done with it, not at each digit.
+QDoubleSpinBox* field(double value, double low, double high, int decimals, const QString& suffix) {
+  auto* box = new QDoubleSpinBox;
+  box->setDecimals(decimals);
+  box->setRange(low, high);
+  box->setValue(value);
+  box->setSuffix(QLatin1Char(' ') + suffix);
+  box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  box->setMinimumWidth(110);  // its own wish has room for the largest number it would take
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  box->setKeyboardTracking(false);
+  box->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel, not the values it passes over
+  return box;
+}
+
+}  // namespace
+
+PropertiesPanel::PropertiesPanel(Document& document, Selection& selection, PlayLink& link, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_selection(selection), m_link(link) {
+  setObjectName(QStringLiteral("properties"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMinimumWidth(310);
+  connect(&document, &Document::changed, this, [this] {
+    if (!m_editing) rebuild();
+  });
+  connect(&selection, &Selection::changed, this, &PropertiesPanel::rebuild);
+  // The model's own figures (springs, effects) come with the first snapshot that holds it.
+  connect(&link, &PlayLink::snapshotChanged, this, [this, shown = std::weak_ptr<const Model>()]() mutable {
+    const auto& model = m_link.snapshot().model;
+    if (shown.lock() == model) return;
+    shown = model;
+    if (!m_editing && !(widget() && widget()->isAncestorOf(focusWidget()))) rebuild();
+  });
+  rebuild();
+}
+
+void PropertiesPanel::rebuild() {
+  const int scrolled = verticalScrollBar()->value();
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(8, 8, 8, 8);
+  const std::string& id = m_selection.current();
+  const int part = findPart(m_document.joint(), id), tool = findTool(m_document.scenario(), id);
+  if (!id.empty() && part >= 0) {
+    showPart(*layout, m_document.joint().parts[part]);
+  } else if (!id.empty() && tool >= 0) {
+    showTool(*layout, m_document.scenario().tools[tool]);
+  } else {
+    showScene(*layout);
+  }
+  layout->addStretch(1);
+  // A field of the old content may be the one that called; it goes when its event is over.
+  if (QWidget* old = takeWidget()) old->deleteLater();
+  setWidget(content);
+  verticalScrollBar()->setValue(scrolled);
+}
+
+void PropertiesPanel::showScene(QVBoxLayout& layout) {
+  const Joint& joint = m_document.joint();
+  const Scenario& scenario = m_document.scenario();
+  if (m_document.isEmpty()) {
+    layout.addWidget(label(tr("No scene is open. Choose File ▸ Open… to begin."), "hint"));
+    return;
+  }
+  layout.addWidget(label(scenario.name.empty() ? text(joint.name) : text(scenario.name), "title"));
+  if (!scenario.description.empty()) layout.addWidget(label(text(scenario.description), "hint"));
+  std::size_t tets = 0, triangles = 0;
+  for (const Part& part : joint.parts) {
+    if (part.volume) tets += part.volume->tets.size();
+    if (part.visual) triangles += part.visual->triangles.size();
+  }
+  QFormLayout* scene = group(layout, tr("Scene"));
+  scene->addRow(tr("Joint:"), label(text(joint.name)));
+  scene->addRow(tr("Parts:"), label(number(joint.parts.size())));
+  scene->addRow(tr("Visual triangles:"), label(number(triangles)));
+  scene->addRow(tr("Tetrahedra:"), label(number(tets)));
+  scene->addRow(tr("Couplings:"), label(number(joint.couplings.size())));
+  scene->addRow(tr("Time step:"), label(tr("%1 ms").arg(number(1e3 * scenario.dt, 1))));
+  const auto& model = m_link.snapshot().model;
+  if (!model) return;
+  QFormLayout* effects = group(layout, tr("Effects"));
+  for (const EffectPlan& effect : model->effects) {
+    QLabel* state = label(effect.on ? tr("on") : tr("off"));
+    state->setToolTip(effectReason(effect.reason));
+    effects->addRow(tr("%1:").arg(effectName(effect.name)), state);
+  }
+}
+
+void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
+  layout.addWidget(label(text(part.name), "title"));
+  const auto& fixed = m_document.scenario().fixedParts;
+  const bool isFixed = std::find(fixed.begin(), fixed.end(), part.id) != fixed.end();
+  QFormLayout* form = group(layout, tr("Part"));
+  form->addRow(tr("Number:"), label(QString::number(part.number)));
+  form->addRow(tr("Kind:"), label(part.kind == PartKind::Soft ? tr("soft")
+                                  : isFixed                   ? tr("rigid, fixed in the room")
+                                                              : tr("rigid")));
+  if (part.visual) form->addRow(tr("Visual triangles:"), label(number(part.visual->triangles.size())));
+  if (part.collision) form->addRow(tr("Collision triangles:"), label(number(part.collision->triangles.size())));
+  if (part.volume) {
+    form->addRow(tr("Tetrahedra:"), label(number(part.volume->tets.size())));
+    form->addRow(tr("Nodes:"), label(number(part.volume->nodes.size())));
+    form->addRow(tr("Cell size:"), label(tr("%1 mm").arg(number(1e3 * part.cellSize, 1))));
+  }
+  if (part.visual && !part.visual->vertices.empty()) {
+    const Vec3 size = 1e3 * ::glenoid::boundsOf(*part.visual).sizes();
+    form->addRow(tr("Size:"), label(tr("%1 × %2 × %3 mm").arg(number(size.x(), 0), number(size.y(), 0),
+                                                              number(size.z(), 0))));
+  }
+  if (const auto& model = m_link.snapshot().model) {
+    for (const SceneObject& object : model->objects) {
+      if (object.id == part.id) form->addRow(tr("Mass:"), label(tr("%1 g").arg(number(1e3 * object.mass, 1))));
+    }
+  }
+  showMaterials(layout, part);
+  showCouplings(layout, part);
+}
+
+void PropertiesPanel::showMaterials(QVBoxLayout& layout, const Part& part) {
+  for (const MaterialUse& use : part.materials) {
+    const int index = findMaterial(m_document.joint(), use.material);
+    if (index < 0) continue;
+    const Material& material = m_document.joint().materials[index];
+    QFormLayout* form = group(layout, tr("Material: %1").arg(text(material.name)));
+    if (!use.region.empty()) {
+      const Region* region = findRegion(part, use.region);
+      form->addRow(tr("Where:"), label(text(region ? region->name : use.region)));
+    }
+    form->addRow(tr("Density:"), label(tr("%1 kg/m³").arg(number(material.density, 0))));
+    if (part.kind == PartKind::Soft) {
+      QDoubleSpinBox* young = field(material.youngsModulus / 1e3, 0.001, 1e8, 3, tr("kPa"));
+      young->setObjectName(QStringLiteral("young.") + text(material.id));
+      young->setAccessibleName(tr("Young's modulus of %1").arg(text(material.name)));
+      young->setToolTip(tr("How hard it is to stretch. Every part made of this material changes with it."));
+      connect(young, &QDoubleSpinBox::valueChanged, this, [this, id = material.id](double kPa) {
+        const QScopedValueRollback guard(m_editing, true);
+        m_document.setYoungsModulus(id, 1e3 * kPa);
+      });
+      connect(young, &QDoubleSpinBox::editingFinished, this, [this] { m_document.endGesture(); });
+      form->addRow(tr("Young's modulus:"), young);
+      form->addRow(tr("Poisson's ratio:"), label(number(material.poissonRatio, 3)));
+    }
+    form->addRow(tr("Friction:"), label(number(material.friction, 2)));
+    if (material.literatureYoungsModulus && part.kind == PartKind::Soft) {
+      form->addRow(tr("Literature:"), label(tr("%1 kPa").arg(number(*material.literatureYoungsModulus / 1e3, 1))));
+      if (!material.reason.empty()) form->addRow(label(text(material.reason), "hint"));
+    }
+    if (!material.source.empty()) form->addRow(label(tr("Source: %1").arg(text(material.source)), "hint"));
+  }
+}
+
+void PropertiesPanel::showCouplings(QVBoxLayout& layout, const Part& part) {
+  const Joint& joint = m_document.joint();
+  const auto& model = m_link.snapshot().model;
+  for (std::size_t i = 0; i < joint.couplings.size(); ++i) {
+    const Coupling& coupling = joint.couplings[i];
+    if (coupling.partA != part.id && coupling.partB != part.id) continue;
+    const std::string& otherId = coupling.partA == part.id ? coupling.partB : coupling.partA;
+    const int other = findPart(joint, otherId);
+    QFormLayout* form = group(layout, tr("Coupled to %1").arg(text(other < 0 ? otherId : joint.parts[other].name)));
+    const int owner = findPart(joint, coupling.partA);
+    const Region* region = owner < 0 ? nullptr : findRegion(joint.parts[owner], coupling.regionA);
+    form->addRow(tr("Over:"), label(text(region ? region->name : coupling.regionA)));
+    if (region) {
+      form->addRow(tr("Area:"), label(tr("%1 mm²").arg(number(1e6 * areaOf(joint.parts[owner], *region), 0))));
+    }
+    // N/m per m² is Pa/m; N/mm per mm² is 1e9 of that, so N/mm per cm² reads best for tissue (1e7).
+    QDoubleSpinBox* stiffness = field(coupling.stiffnessPerArea / 1e7, 1e-4, 1e6, 4, tr("N/mm per cm²"));
+    stiffness->setObjectName(QStringLiteral("coupling.") + text(coupling.id));
+    stiffness->setAccessibleName(tr("Stiffness of the coupling"));
+    connect(stiffness, &QDoubleSpinBox::valueChanged, this, [this, id = coupling.id](double value) {
+      const QScopedValueRollback guard(m_editing, true);
+      m_document.setCouplingStiffness(id, 1e7 * value);
+    });
+    connect(stiffness, &QDoubleSpinBox::editingFinished, this, [this] { m_document.endGesture(); });
+    form->addRow(tr("Stiffness:"), stiffness);
+    if (model) {
+      const auto count = std::count_if(model->springs.begin(), model->springs.end(), [i](const SpringView& spring) {
+        return spring.coupling == static_cast<int>(i);
+      });
+      form->addRow(tr("Springs:"), label(number(static_cast<long>(count))));
+    }
+  }
+}
+
+void PropertiesPanel::showTool(QVBoxLayout& layout, const Tool& tool) {
+  layout.addWidget(label(text(tool.name), "title"));
+  QFormLayout* form = group(layout, tr("Tool"));
+  form->addRow(tr("Length:"), label(tr("%1 mm").arg(number(1e3 * tool.length, 0))));
+  form->addRow(tr("Diameter:"), label(tr("%1 mm").arg(number(2e3 * tool.radius, 1))));
+  form->addRow(tr("Mass:"), label(tr("%1 g").arg(number(1e3 * tool.mass, 0))));
+  form->addRow(tr("Hand stiffness:"), label(tr("%1 N/mm").arg(number(1e-3 * tool.stiffness, 2))));
+  form->addRow(tr("Largest pull:"), label(tr("%1 N").arg(number(tool.forceMax, 1))));
+}
+
+void PropertiesPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) rebuild();
+  QScrollArea::changeEvent(event);
+}
+
+}  // namespace glenoid

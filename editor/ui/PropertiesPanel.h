@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QScrollArea>
+
+#include "editor/core/PlayLink.h"
+#include "editor/core/Selection.h"
+
+class QVBoxLayout;
+
+namespace glenoid {
+
+/// What is known about the selected part or tool, in millimetres and kilopascals; stiffnesses can be edited, each
+/// edit is one undo step. Without a selection: the scene as a whole and its effects.
+class PropertiesPanel : public QScrollArea {
+  Q_OBJECT
+ public:
+  PropertiesPanel(Document& document, Selection& selection, PlayLink& link, QWidget* parent = nullptr);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void rebuild();
+  void showScene(QVBoxLayout& layout);
+  void showPart(QVBoxLayout& layout, const Part& part);
+  void showTool(QVBoxLayout& layout, const Tool& tool);
+  void showMaterials(QVBoxLayout& layout, const Part& part);
+  void showCouplings(QVBoxLayout& layout, const Part& part);
+
+  Document& m_document;
+  Selection& m_selection;
+  PlayLink& m_link;
+  bool m_editing = false;  ///< one of our own fields caused the change
+};
+
+}  // namespace glenoid

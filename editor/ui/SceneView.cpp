@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/ui/SceneView.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLFunctions>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "editor/ui/Theme.h"
+
+namespace glenoid {
+
+SceneView::SceneView(PlayLink& link, DisplayState& display, Selection& selection, bool softwareGraphics,
+                     QWidget* parent)
+    : QOpenGLWidget(parent), m_link(link), m_display(display), m_selection(selection), m_software(softwareGraphics) {
+  setObjectName(QStringLiteral("sceneView"));
+  setMinimumSize(320, 240);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  m_clock.start();
+  // A wheel has no release: the hand lets go when it has been still for a moment.
+  m_wheelRest.setSingleShot(true);
+  m_wheelRest.setInterval(600);
+  connect(&m_wheelRest, &QTimer::timeout, this, [this] {
+    if (m_gesture != Gesture::Tool) m_link.releaseTool(m_wheelHolds);
+  });
+  m_draw.setSingleShot(true);
+  connect(&m_draw, &QTimer::timeout, this, [this] { update(); });
+  m_fine.setSingleShot(true);
+  m_fine.setInterval(250);
+  connect(&m_fine, &QTimer::timeout, this, [this] {
+    m_coarse = false;
+    update();
+  });
+  const auto redraw = [this] { requestDraw(); };
+  connect(&link, &PlayLink::snapshotChanged, this, redraw);
+  connect(&display, &DisplayState::changed, this, redraw);
+  connect(&selection, &Selection::changed, this, redraw);
+  connect(&selection, &Selection::hoverChanged, this, redraw);
+}
+
+SceneView::~SceneView() { releaseRenderer(); }
+
+void SceneView::requestDraw() {
+  if (!m_software) return update();
+  constexpr double kSlowMs = 25;
+  m_coarse = m_paintMs > kSlowMs || (m_coarse && m_paintMs > 0.4 * kSlowMs);
+  if (m_coarse) m_fine.start();
+  if (!m_draw.isActive()) m_draw.start(static_cast<int>(std::min(m_paintMs, 200.0)));
+}
+
+void SceneView::releaseRenderer() {
+  if (!m_renderer) return;
+  makeCurrent();
+  m_renderer.reset();
+  m_small.reset();
+  m_model.reset();
+  doneCurrent();
+}
+
+void SceneView::initializeGL() {
+  // Moving the widget to another window gives it a new context, and calls this again.
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { releaseRenderer(); });
+  auto renderer = SceneRenderer::create();
+  if (renderer.ok()) {
+    m_renderer = std::move(renderer).value();
+    m_model.reset();
+  } else {
+    emit graphicsFailed(renderer.error());
+  }
+}
+
+Look SceneView::look() const {
+  Look look;
+  look.dark = currentTheme().dark;
+  look.pixelRatio = devicePixelRatioF();
+  if (m_software) {
+    look.samples = 1;
+    look.ambientOcclusion = false;
+  }
+  return look;
+}
+
+Layers SceneView::layers() const { return m_model ? m_display.layersFor(*m_model, m_selection) : Layers{}; }
+
+Target SceneView::target() const {
+  const double ratio = devicePixelRatioF();
+  return {defaultFramebufferObject(), static_cast<int>(std::lround(width() * ratio)),
+          static_cast<int>(std::lround(height() * ratio))};
+}
+
+// The model that belongs to the snapshot goes to the GPU once; a context must be current.
+void SceneView::takeModel() {
+  const Snapshot& snapshot = m_link.snapshot();
+  if (!m_renderer || snapshot.model == m_model || !snapshot.model) return;
+  const auto taken = m_renderer->setScene(*snapshot.model);
+  if (!taken.ok()) {
+    emit graphicsFailed(taken.error());
+    return;
+  }
+  m_model = snapshot.model;
+  const std::string id = m_model->joint.id + '/' + m_model->scenario.id;
+  if (id == m_sceneId) return;
+  m_sceneId = id;
+  home();
+  if (m_chosenTool >= static_cast<int>(m_model->scenario.tools.size())) setChosenTool(-1);
+}
+
+void SceneView::paintGL() {
+  if (!m_renderer) return;
+  takeModel();
+  const Snapshot& snapshot = m_link.snapshot();
+  QElapsedTimer clock;
+  clock.start();
+  if (m_coarse) {
+    drawCoarse(m_view, snapshot);
+  } else {
+    m_renderer->draw(m_view, snapshot.q, layers(), snapshot.report.contactViews, look(), target());
+  }
+  if (m_software) {
+    context()->functions()->glFinish();  // the CPU does the work anyway; now its time is known
+    const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
+    m_paintMs = m_frames < 3 ? 0 : 0.7 * m_paintMs + 0.3 * ms;  // the first frames compile shaders
+  }
+  m_frameTimes[m_frames++ % m_frameTimes.size()] = m_clock.elapsed();
+  emit drawn();
+}
+
+void SceneView::drawCoarse(const View& view, const Snapshot& snapshot) {
+  const Target full = target();
+  const QSize size(std::max(full.width / 2, 1), std::max(full.height / 2, 1));
+  if (!m_small || m_small->size() != size) {
+    m_small = std::make_unique<QOpenGLFramebufferObject>(size, QOpenGLFramebufferObject::CombinedDepthStencil);
+  }
+  Look coarse = look();
+  coarse.pixelRatio /= 2;  // lines keep their width on the screen
+  m_renderer->draw(view, snapshot.q, layers(), snapshot.report.contactViews, coarse,
+                   {m_small->handle(), size.width(), size.height()});
+  QOpenGLFunctions* gl = context()->functions();
+  QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(0, 0, full.width, full.height), m_small.get(),
+                                            QRect(QPoint(0, 0), size), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, full.framebuffer);
+}
+
+double SceneView::framesPerSecond() const {
+  const qint64 now = m_clock.elapsed();
+  int count = 0;
+  for (std::size_t i = 0; i < std::min(m_frames, m_frameTimes.size()); ++i) {
+    if (now - m_frameTimes[i] <= 1000) ++count;
+  }
+  return count;
+}
+
+QImage SceneView::picture(int width, int height) {
+  if (!m_renderer || !m_model) return {};
+  makeCurrent();
+  Look fine = look();
+  fine.samples = -1;
+  fine.ambientOcclusion = true;
+  const Snapshot& snapshot = m_link.snapshot();
+  auto image = m_renderer->picture(m_view, snapshot.q, layers(), snapshot.report.contactViews, fine, width, height);
+  doneCurrent();
+  if (!image.ok()) return {};
+  return QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888).copy();
+}
+
+std::optional<QPointF> SceneView::toScreen(const Vec3& p_W) const {
+  const auto pixel = projected(m_view, p_W, width(), height());
+  if (!pixel) return std::nullopt;
+  return QPointF(pixel->x(), pixel->y());
+}
+
+// ---- Camera
+
+void SceneView::setView(const View& view) {
+  m_view = view;
+  requestDraw();
+}
+
+Box3 SceneView::boundsOf(const std::set<std::string>& ids) const {
+  Box3 box;
+  const Snapshot& snapshot = m_link.snapshot();
+  if (!snapshot.model) return box;
+  std::vector<Vec3> points;
+  for (const SceneObject& object : snapshot.model->objects) {
+    const ObjectLook shown{m_display.isVisible(object.id)};
+    if (ids.empty() ? !shown.visible || object.tool : ids.count(object.id) == 0) continue;
+    points.resize(object.visual.vertices.size());
+    surfacePositions(object.visual, object.layout, snapshot.q, points);
+    for (const Vec3& p : points) box.extend(p);
+  }
+  return box;
+}
+
+void SceneView::lookFrom(Side side) { setView(viewFrom(side, boundsOf({}), aspect(), m_view.fieldOfView)); }
+
+void SceneView::frameAll() { setView(framed(m_view, boundsOf({}), aspect())); }
+
+void SceneView::frameSelection() { setView(framed(m_view, boundsOf(m_selection.ids()), aspect())); }
+
+void SceneView::home() {
+  const Snapshot& snapshot = m_link.snapshot();
+  if (!snapshot.model) return;
+  const auto& cameras = snapshot.model->scenario.cameras;
+  if (!cameras.empty()) return setView(viewOf(cameras.front()));
+  // From the front and a little from the side and above, where a shoulder shows most of itself.
+  View view = viewFrom(Side::Anterior, boundsOf({}), aspect());
+  setView(framed(orbited(view, -0.5, 0.25), boundsOf({}), aspect()));
+}
+
+// ---- Mouse
+
+std::optional<PickHit> SceneView::pickAt(const QPointF& logical) {
+  if (!m_renderer || !m_model || m_link.snapshot().model != m_model) return std::nullopt;
+  makeCurrent();
+  const QPointF at = device(logical);
+  const auto hit = m_renderer->pick(m_view, m_link.snapshot().q, layers(), target(), at.x(), at.y());
+  doneCurrent();
+  return hit;
+}
+
+std::string SceneView::idOf(int object) const {
+  return m_model && object >= 0 && object < static_cast<int>(m_model->objects.size()) ? m_model->objects[object].id
+                                                                                     : std::string();
+}
+
+void SceneView::setChosenTool(int tool) {
+  if (tool == m_chosenTool) return;
+  m_chosenTool = tool;
+  emit chosenToolChanged(tool);
+}
+
+void SceneView::beginToolDrag(int tool, const QPointF& at) {
+  const Snapshot& snapshot = m_link.snapshot();
+  if (tool < 0 || tool >= static_cast<int>(snapshot.hands.size())) return;
+  const Pose hand = snapshot.hands[tool];
+  m_draggedTool = tool;
+  m_toolDrag.emplace(m_view, hand, hand.p_WB, at.x(), at.y(), height());
+  m_gesture = Gesture::Tool;
+  m_link.holdTool(tool, hand);
+  setCursor(Qt::ClosedHandCursor);
+}
+
+void SceneView::mousePressEvent(QMouseEvent* event) {
+  if (m_gesture != Gesture::None) return;  // a second button changes nothing
+  const QPointF at = event->position();
+  m_pressed = m_last = at;
+  const bool alt = event->modifiers() & Qt::AltModifier, shift = event->modifiers() & Qt::ShiftModifier;
+  if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && alt)) {
+    m_gesture = shift ? Gesture::Pan : Gesture::Orbit;
+    setCursor(shift ? Qt::SizeAllCursor : Qt::CrossCursor);
+  } else if (event->button() == Qt::LeftButton) {
+    m_gesture = Gesture::Pick;
+    // On a tool the drag is that tool's; anywhere else it is the chosen one's.
+    const auto hit = pickAt(at);
+    if (hit && m_model->objects[hit->object].tool) setChosenTool(m_model->objects[hit->object].toolIndex);
+    if (m_chosenTool >= 0 && event->modifiers() == Qt::NoModifier) beginToolDrag(m_chosenTool, at);
+  }
+}
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF at = event->position(), by = at - m_last;
+  m_last = at;
+  switch (m_gesture) {
+    case Gesture::Orbit:
+      setView(orbited(m_view, 0.008 * by.x(), 0.008 * by.y()));
+      break;
+    case Gesture::Pan:
+      setView(panned(m_view, by.x(), by.y(), height()));
+      break;
+    case Gesture::Tool:
+      m_link.holdTool(m_draggedTool, m_toolDrag->moved(at.x(), at.y()));
+      break;
+    case Gesture::Pick: break;
+    case Gesture::None:
+      // Picking draws once more, so not for every pixel the mouse passes.
+      if (!m_hoverClock.isValid() || m_hoverClock.elapsed() > (m_software ? 120 : 30)) {
+        m_hoverClock.restart();
+        const auto hit = pickAt(at);
+        m_selection.hover(hit ? idOf(hit->object) : std::string());
+      }
+      break;
+  }
+}
+
+void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  const QPointF moved = event->position() - m_pressed;
+  const bool click = std::hypot(moved.x(), moved.y()) < 4;
+  if (click && event->button() == Qt::LeftButton && (m_gesture == Gesture::Pick || m_gesture == Gesture::Tool)) {
+    endGesture();
+    select(event->position(), event->modifiers());
+    return;
+  }
+  endGesture();
+}
+
+void SceneView::endGesture() {
+  if (m_gesture == Gesture::Tool) m_link.releaseTool(m_draggedTool);
+  m_gesture = Gesture::None;
+  m_toolDrag.reset();
+  m_draggedTool = -1;
+  unsetCursor();
+}
+
+void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  const auto hit = pickAt(at);
+  const std::string id = hit ? idOf(hit->object) : std::string();
+  if (modifiers & Qt::ShiftModifier) {
+    if (!id.empty()) m_selection.add(id);
+  } else if (modifiers & Qt::ControlModifier) {
+    if (!id.empty()) m_selection.remove(id);
+  } else if (id.empty()) {
+    m_selection.clear();
+  } else {
+    m_selection.select(id);
+  }
+}
+
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && !m_selection.current().empty() && m_chosenTool < 0) {
+    frameSelection();
+  } else {
+    mousePressEvent(event);
+  }
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  if (notches == 0) return;
+  const bool depth = event->modifiers() & Qt::ControlModifier;
+  if (m_gesture == Gesture::Tool) {  // while dragging the wheel is the third axis
+    m_toolDrag->push(kDepthPerNotch * notches);
+    m_link.holdTool(m_draggedTool, m_toolDrag->moved(m_last.x(), m_last.y()));
+  } else if (depth && m_chosenTool >= 0 && m_chosenTool < static_cast<int>(m_link.snapshot().hands.size())) {
+    Pose hand = m_link.handOf(m_chosenTool);
+    hand.p_WB -= axesOf(m_view).back_W * (kDepthPerNotch * notches);
+    m_link.holdTool(m_chosenTool, hand);
+    m_wheelHolds = m_chosenTool;
+    m_wheelRest.start();
+  } else {
+    const QPointF at = event->position();
+    setView(zoomedAt(m_view, std::pow(0.85, notches), at.x(), at.y(), width(), height()));
+  }
+  event->accept();
+}
+
+void SceneView::leaveEvent(QEvent*) { m_selection.hover({}); }
+
+void SceneView::focusOutEvent(QFocusEvent* event) {
+  // A dialog that comes up in the middle of a drag must not leave a tool held for ever.
+  if (m_gesture != Gesture::None) endGesture();
+  QOpenGLWidget::focusOutEvent(event);
+}
+
+void SceneView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) update();
+  if (event->type() == QEvent::LanguageChange) setAccessibleName(tr("3D view of the joint"));
+  QOpenGLWidget::changeEvent(event);
+}
+
+}  // namespace glenoid

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QElapsedTimer>
+#include <QImage>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "editor/core/DisplayState.h"
+#include "editor/core/PlayLink.h"
+#include "editor/core/ToolDrag.h"
+#include "editor/render/SceneRenderer.h"
+
+class QOpenGLFramebufferObject;
+
+namespace glenoid {
+
+/// The 3D view: hosts the renderer, steers the camera, picks parts and drags tools. Draws only when something
+/// has changed. Left picks or drags a tool, middle orbits, Shift+middle pans, the wheel zooms at the cursor,
+/// Alt+left orbits and Alt+Shift+left pans on a touchpad; Ctrl+wheel moves the chosen tool in depth.
+/// Only where probeGraphics() says usable. GUI thread only.
+class SceneView : public QOpenGLWidget {
+  Q_OBJECT
+ public:
+  SceneView(PlayLink& link, DisplayState& display, Selection& selection, bool softwareGraphics,
+            QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  const View& view() const { return m_view; }
+  void setView(const View& view);
+  void lookFrom(Side side);
+  void frameAll();        ///< everything shown, same direction
+  void frameSelection();  ///< the selected objects, else everything
+  void home();            ///< the scenario's first camera, else from the front
+
+  /// The tool that a drag moves wherever it begins, index in the scenario; −1: only a drag that begins on a tool.
+  void setChosenTool(int tool);
+  int chosenTool() const { return m_chosenTool; }
+  bool isDraggingTool() const { return m_toolDrag.has_value(); }
+
+  /// Frames drawn in the last second.
+  double framesPerSecond() const;
+  /// The picture as it is shown, drawn at another size; null when the renderer failed.
+  QImage picture(int width, int height);
+  /// Where a point of the world is seen, logical pixels; nothing when behind the eye.
+  std::optional<QPointF> toScreen(const Vec3& p_W) const;
+
+ signals:
+  void graphicsFailed(const glenoid::Error& error);
+  void chosenToolChanged(int tool);
+  void drawn();  ///< a frame was drawn
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  enum class Gesture { None, Orbit, Pan, Tool, Pick };
+  void requestDraw();
+  void drawCoarse(const View& view, const Snapshot& snapshot);
+  void takeModel();
+  void releaseRenderer();
+  Look look() const;
+  Layers layers() const;
+  Target target() const;
+  QPointF device(const QPointF& logical) const { return logical * devicePixelRatioF(); }
+  std::optional<PickHit> pickAt(const QPointF& logical);
+  std::string idOf(int object) const;
+  Box3 boundsOf(const std::set<std::string>& ids) const;
+  void beginToolDrag(int tool, const QPointF& at);
+  void endGesture();
+  void select(const QPointF& at, Qt::KeyboardModifiers modifiers);
+  double aspect() const { return height() > 0 ? static_cast<double>(width()) / height() : 1.0; }
+
+  PlayLink& m_link;
+  DisplayState& m_display;
+  Selection& m_selection;
+  bool m_software;
+  std::unique_ptr<SceneRenderer> m_renderer;
+  std::shared_ptr<const Model> m_model;  ///< what the renderer holds
+  std::string m_sceneId;                 ///< a scene seen for the first time is framed
+  View m_view;
+
+  Gesture m_gesture = Gesture::None;
+  QPointF m_pressed, m_last;
+  int m_chosenTool = -1, m_draggedTool = -1;
+  std::optional<ToolDrag> m_toolDrag;
+  // A software renderer that is slow draws at half the size while things move, and leaves the window as much
+  // time as it takes itself; once all is still it draws one fine picture.
+  QTimer m_draw, m_fine;
+  double m_paintMs = 0;  ///< of the last frames, smoothed
+  bool m_coarse = false;
+  std::unique_ptr<QOpenGLFramebufferObject> m_small;
+
+  QTimer m_wheelRest;
+  int m_wheelHolds = -1;
+  QElapsedTimer m_hoverClock, m_clock;
+  std::array<qint64, 64> m_frameTimes{};
+  std::size_t m_frames = 0;
+};
+
+}  // namespace glenoid

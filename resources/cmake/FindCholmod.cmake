@@ -1,0 +1,12 @@
+# CHOLMOD of SuiteSparse, which Debian ships without a CMake config: target Cholmod::Cholmod (and AMD, which orders).
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_library(CHOLMOD_LIBRARY cholmod)
+find_library(AMD_LIBRARY amd)
+find_library(SUITESPARSECONFIG_LIBRARY suitesparseconfig)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Cholmod REQUIRED_VARS CHOLMOD_LIBRARY AMD_LIBRARY SUITESPARSECONFIG_LIBRARY CHOLMOD_INCLUDE_DIR)
+if(Cholmod_FOUND AND NOT TARGET Cholmod::Cholmod)
+  add_library(Cholmod::Cholmod INTERFACE IMPORTED)
+  target_include_directories(Cholmod::Cholmod INTERFACE "${CHOLMOD_INCLUDE_DIR}")
+  target_link_libraries(Cholmod::Cholmod INTERFACE "${CHOLMOD_LIBRARY}" "${AMD_LIBRARY}" "${SUITESPARSECONFIG_LIBRARY}")
+endif()

@@ -1,0 +1,65 @@
+# How every target of the project is built: language, warnings, sanitizers, ccache, one shared precompiled header.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE_PROGRAM})
+endif()
+
+if(GLENOID_ASSERTS)
+  foreach(config RELEASE RELWITHDEBINFO MINSIZEREL)
+    string(REPLACE "-DNDEBUG" "" CMAKE_CXX_FLAGS_${config} "${CMAKE_CXX_FLAGS_${config}}")
+  endforeach()
+endif()
+string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELWITHDEBINFO "${CMAKE_CXX_FLAGS_RELWITHDEBINFO}")
+
+# Contraction is off so that a result depends on the source, not on what the optimizer fused; kernels write FMA where it is meant.
+add_library(glenoid_flags INTERFACE)
+target_compile_options(glenoid_flags INTERFACE -Wall -Wextra -Wshadow -Wno-maybe-uninitialized -ffp-contract=off)
+if(CCACHE_PROGRAM)
+  target_compile_options(glenoid_flags INTERFACE -fpch-preprocess)
+endif()
+target_include_directories(glenoid_flags INTERFACE "${CMAKE_SOURCE_DIR}")
+
+# Sanitizers for our own numerics and document code; Qt's widgets and GL drivers are left out.
+add_library(glenoid_sanitize INTERFACE)
+if(GLENOID_SANITIZE STREQUAL "address")
+  target_compile_options(glenoid_sanitize INTERFACE -fsanitize=address,undefined -fno-sanitize=null,alignment,vptr,object-size -fno-omit-frame-pointer)
+  target_link_options(glenoid_sanitize INTERFACE -fsanitize=address,undefined)
+elseif(GLENOID_SANITIZE STREQUAL "thread")
+  target_compile_options(glenoid_sanitize INTERFACE -fsanitize=thread)
+  target_link_options(glenoid_sanitize INTERFACE -fsanitize=thread)
+endif()
+
+# glenoid_library(NAME SOURCES ... [LINKS public targets] [PRIVATE_LINKS hidden targets])
+function(glenoid_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC glenoid_flags glenoid_sanitize Eigen3::Eigen ${ARG_LINKS} PRIVATE ${ARG_PRIVATE_LINKS})
+  if(TARGET glenoid_pch)
+    target_precompile_headers(${name} REUSE_FROM glenoid_pch)
+  endif()
+endfunction()
+
+# glenoid_test(NAME LABEL unit|numerics|render|long SOURCES ... LINKS ...): one GoogleTest program of one folder.
+function(glenoid_test name)
+  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE GLENOID_SOURCE_DIR="${CMAKE_SOURCE_DIR}" GLENOID_BUILD_DIR="${CMAKE_BINARY_DIR}")
+  add_test(NAME ${name} COMMAND ${name})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
+    ENVIRONMENT "OPENBLAS_NUM_THREADS=1;QT_QPA_PLATFORM=offscreen")
+endfunction()

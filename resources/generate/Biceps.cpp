@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+
+#include "resources/generate/Bones.h"
+#include "resources/generate/Parts.h"
+
+/// Long tendon of the biceps, its root, and the ring that it grows from.
+namespace glenoid::generate {
+
+namespace {
+
+constexpr double kOverHead =
+    humerus::kHeadRadius + 1.1 + kBicepsHalfThickness;  ///< middle of the tendon over the head
+
+/// Rim of the socket in W with the outward direction in its plane.
+struct RimPoint {
+  Vec3 at, out;
+};
+RimPoint rimAt(double turn) {
+  const Frame socket = scapula::glenoid();
+  const std::vector<Vec2> rim = scapula::glenoidRim();
+  const auto point = [&](double x) {
+    const double f = (x - std::floor(x)) * double(rim.size());
+    const std::size_t i = std::size_t(f) % rim.size();
+    return Vec2((1 - (f - std::floor(f))) * rim[i] + (f - std::floor(f)) * rim[(i + 1) % rim.size()]);
+  };
+  const Vec2 p = point(turn), along = point(turn + 0.01) - point(turn - 0.01);
+  Vec2 out(along.y(), -along.x());
+  if (out.dot(p) < 0) out = -out;
+  out.normalize();
+  const double z = 30 - std::sqrt(900 - p.squaredNorm());
+  return {socket.toWorld({p.x(), p.y(), z}), socket.axes * Vec3(out.x(), out.y(), 0)};
+}
+
+Vec3 rootDirection() {
+  return (rimAt(0).at + 1.5 * rimAt(0).out).normalized();
+}
+Vec3 entranceDirection() {
+  return Vec3(19.0, 17.5, 11.2).normalized();
+}
+
+/// Along the great circle over the head.
+Vec3 overHead(double angle) {
+  const Vec3 a = rootDirection(), b = entranceDirection();
+  const double whole = std::acos(a.dot(b));
+  return (std::sin(whole - angle) * a + std::sin(angle) * b) / std::sin(whole);
+}
+
+/// The first `onHead` points of the path turn with the head's sphere, the others with the shaft.
+Tube cord(const std::vector<Vec3>& path, std::size_t onHead, double halfWidth, double thickness) {
+  Tube tube;
+  tube.roundness = 1;
+  tube.endLength = 0.03;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Vec3 fromCanal = path[i] - humerus::canalAt(path[i].y());
+    const Vec3 up = (i < onHead ? path[i] : fromCanal).normalized();
+    tube.stations.push_back({path[i] - thickness / 2 * up, up, halfWidth, thickness, 0, 0, 0});
+  }
+  return tube;
+}
+
+}  // namespace
+
+std::vector<Vec3> bicepsPath() {
+  std::vector<Vec3> path;
+  const double whole = std::acos(rootDirection().dot(entranceDirection()));
+  for (int i = 0; i <= 8; ++i) {
+    const double angle = 9.5 / kOverHead + (whole - 9.5 / kOverHead) * i / 8.0;
+    path.push_back((kOverHead + 1.2 * std::pow(1 - i / 8.0, 2)) * overHead(angle));
+  }
+  const std::vector<Vec3> floor = humerus::groovePath();
+  const double lift[] = {0, 3.4, 3.3, 3.3, 3.6, 4.6};
+  for (std::size_t i = 1; i < floor.size(); ++i) {
+    const Vec3 out = (floor[i] - humerus::canalAt(floor[i].y())).normalized();
+    path.push_back(floor[i] + lift[i] * out);
+  }
+  for (const double y : {-38.0, -52.0}) {
+    const Vec3 c = humerus::canalAt(y);
+    const Vec3 out = (Vec3(14.0, y, 17.0) - c).normalized();
+    path.push_back(c + (y > -45 ? 16.0 : 14.6) * out);
+  }
+  return path;
+}
+
+Surfaces bicepsTendon(const Bones& bones) {
+  Tube tube = cord(bicepsPath(), 8, kBicepsHalfWidth, 2 * kBicepsHalfThickness);
+  tube.phase = 0.5;
+  // The tendon is rigid and its two surfaces are one: it keeps 0.8 mm from what it slides on, fine and
+  // coarse.
+  tube.bone = unionOf(bones.humerusShape, bones.humerusCoarse);
+  for (Station& station : tube.stations) station.clearance = 0.8;
+  Surfaces s;
+  s.visual = sweep(tube, 6, 22);
+  keepClear(s.visual, bones.humerusCoarse, 0.65);
+  s.collision = s.visual;
+  return s;
+}
+
+Surfaces labrumTendon(const Bones& bones) {
+  const RimPoint top = rimAt(0);
+  const Vec3 n = scapula::glenoid().axes.col(2);
+  std::vector<Vec3> path{top.at + 2.6 * top.out - 1.5 * n};
+  const double arcs[] = {3.5, 6.5, 9.5, 13.5}, above[] = {2.6, 1.6, 1.2, 1.0};
+  for (int i = 0; i < 4; ++i) path.push_back((kOverHead + above[i]) * overHead(arcs[i] / kOverHead));
+  Tube tube = cord(path, path.size(), 3.4, 4.6);
+  tube.bone = unionOf(bones.humerusShape, bones.humerusCoarse);
+  for (Station& station : tube.stations) station.clearance = 0.8;
+  tube.endLength = 0.1;
+  Surfaces s;
+  s.visual = sweep(tube, 8, 8);
+  s.collision = s.visual;
+  return s;
+}
+
+Surfaces labrum(const Bones& bones) {
+  const Vec3 n = scapula::glenoid().axes.col(2);
+  // A triangle on the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
+  const auto ring = [&](int count, bool rounded, const Field& head) {
+    std::vector<std::vector<Vec3>> rings;
+    for (int j = 0; j < count; ++j) {
+      const RimPoint rim = rimAt(double(j) / count);
+      const Vec3 inner = rim.at - 2.2 * rim.out - 0.1 * n, outer = rim.at + 2.2 * rim.out - 2.6 * n;
+      const Vec3 toEdge = (rim.at + 1.4 * rim.out).normalized();
+      const Vec3 edge = settle(head, 30 * toEdge, toEdge, 0.9, 10);
+      if (rounded)
+        rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,
+                         0.45 * outer + 0.55 * edge + 0.9 * rim.out, outer});
+      else
+        rings.push_back({inner, edge, outer});
+    }
+    return torus(rings);
+  };
+  return {ring(53, true, bones.humerusShape), ring(20, false, bones.humerusCoarse)};
+}
+
+}  // namespace glenoid::generate

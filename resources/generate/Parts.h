@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "resources/generate/Tube.h"
+
+/// The eleven parts' surfaces, frame W, millimetres. Triangle counts are those of Table 1 of the paper as
+/// near as closed surfaces allow (an odd count cannot close). Collision surfaces of soft parts lie on the
+/// bones' collision surfaces, not on their visual ones, so that coarse triangles of both sides stay apart.
+namespace glenoid::generate {
+
+struct Surfaces {
+  TriMesh visual, collision;
+};
+
+/// Bones as surfaces and as fields: the shapes themselves, and signed distances to the coarse surfaces.
+struct Bones {
+  Surfaces scapula, humerus;
+  Field scapulaShape, humerusShape;
+  Field scapulaCoarse, humerusCoarse;
+};
+Bones makeBones();
+
+/// Signed distance to a closed surface as a field.
+Field fieldOf(const TriMesh& closed);
+
+Surfaces supraspinatus(const Bones& bones);
+Surfaces infraspinatus(const Bones& bones);
+Surfaces subscapularis(const Bones& bones);
+
+/// Middle of the long biceps tendon from its root to below the groove, and its half sizes.
+std::vector<Vec3> bicepsPath();
+inline constexpr double kBicepsHalfWidth = 3.0, kBicepsHalfThickness = 2.25;
+Surfaces bicepsTendon(const Bones& bones);
+Surfaces labrumTendon(const Bones& bones);
+Surfaces labrum(const Bones& bones);
+
+Surfaces coracoacromialLigament(const Bones& bones);
+/// Both lie over the biceps tendon, whose surface they need.
+Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps);
+Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps);
+
+}  // namespace glenoid::generate

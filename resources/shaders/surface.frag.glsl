@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tissue as in an atlas: three soft lights that stand with the camera, a sky and a ground, a moist
+// highlight and a thin bright rim; where the surface turns away it darkens, which draws its contour. The
+// inside of a surface is matt and dark, so that a mesh wound inside out shows at once.
+// With DETAIL muscle shows bundles of fibres and bone is mottled; both fade before they grow finer than a
+// pixel.
+// Highlight: Trowbridge-Reitz distribution, Schlick's Fresnel term and the visibility term after
+// Lagarde and de Rousiers, "Moving Frostbite to Physically Based Rendering", SIGGRAPH 2014 course notes.
+in vec3 p_V;
+in vec3 n_V;
+in vec2 share;    // tendon, cartilage
+in vec3 grainAt;  // m
+uniform vec3 color;        // linear
+uniform float opacity;
+uniform bool faceted;      // one normal for each triangle
+uniform float roughness;
+uniform int grain;         // 0 none, 1 fibres, 2 bone
+uniform vec4 tint;         // linear colour and strength: selected, hovered
+uniform vec3 up_V;         // the world's vertical in camera axes
+out vec4 shaded;
+
+#ifdef DETAIL
+float lattice(ivec3 p) {
+  uint h = uint(p.x) * 0x8da6b343u + uint(p.y) * 0xd8163841u + uint(p.z) * 0xcb1ab31fu;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  h ^= h >> 13;
+  return float(h & 0xffffu) / 65535.0;
+}
+
+// Smooth noise 0...1 with a feature size of one; its mean where `pixel`, its change over a pixel, comes
+// near that size.
+float noise(vec3 p, float pixel) {
+  ivec3 cell = ivec3(floor(p));
+  vec3 f = fract(p);
+  f = f * f * (3.0 - 2.0 * f);
+  float sum = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    vec3 w = mix(1.0 - f, f, vec3(corner));
+    sum += w.x * w.y * w.z * lattice(cell + corner);
+  }
+  return mix(sum, 0.5, smoothstep(0.35, 1.0, pixel));
+}
+
+float grainOf(vec3 at) {
+  bool fibres = grain == 1;
+  vec3 coarse = fibres ? vec3(0.0026, 0.0040, 0.045) : vec3(0.011);
+  vec3 fine = fibres ? vec3(0.0009, 0.0018, 0.018) : vec3(0.0032);
+  vec3 step = max(abs(dFdx(at)), abs(dFdy(at)));
+  vec3 a = step / coarse, b = step / fine;
+  float rough = noise(at / coarse, max(a.x, max(a.y, a.z)));
+  return 0.62 * rough + 0.38 * noise(at / fine + 17.0, max(b.x, max(b.y, b.z)));
+}
+#endif
+
+vec3 litBy(vec3 light, vec3 radiance, float wrap, float rough, vec3 n, vec3 v, vec3 albedo) {
+  float nl = dot(n, light);
+  float soft = clamp((nl + wrap) / (1.0 + wrap), 0.0, 1.0);
+  vec3 diffuse = albedo * soft * soft;
+  float lit = max(nl, 0.0);
+  vec3 h = normalize(light + v);
+  float nh = max(dot(n, h), 0.0), nv = max(dot(n, v), 1e-3), vh = max(dot(v, h), 0.0);
+  float a = rough * rough;
+  float d = nh * nh * (a * a - 1.0) + 1.0;
+  float spread = a * a / (3.14159265 * d * d);
+  float visible = 0.5 / max(mix(2.0 * lit * nv, lit + nv, a), 1e-3);
+  float f = (1.0 - vh) * (1.0 - vh);
+  float fresnel = 0.04 + 0.96 * f * f * (1.0 - vh);
+  return radiance * (diffuse + spread * visible * fresnel * lit);
+}
+
+void main() {
+  vec3 face = normalize(cross(dFdx(p_V), dFdy(p_V)));  // towards the viewer
+  vec3 v = normalize(-p_V);
+  bool outside = gl_FrontFacing;
+  vec3 n = faceted || dot(n_V, n_V) < 1e-12 ? face : normalize(n_V) * (outside ? 1.0 : -1.0);
+  // An interpolated normal may lean away from the viewer at a contour: it is turned back until it just
+  // grazes.
+  float nv = dot(n, v);
+  if (nv < 0.02) n = normalize(n + (0.02 - nv) * v);
+  nv = clamp(dot(n, v), 0.0, 1.0);
+
+  // Tendon: warm white, silky. Cartilage: bluish white, smooth.
+  vec3 tissueColor = mix(color, vec3(0.82, 0.74, 0.60), 0.85 * smoothstep(0.15, 0.85, share.x));
+  tissueColor = mix(tissueColor, vec3(0.66, 0.75, 0.80), 0.75 * smoothstep(0.15, 0.85, share.y));
+  float rough = mix(mix(roughness, 0.36, share.x), 0.30, share.y);
+#ifdef DETAIL
+  if (grain != 0) {
+    float g = grainOf(grainAt) - 0.5;
+    float depth = grain == 1 ? mix(0.75, 0.32, share.x) : mix(0.16, 0.03, share.y);
+    tissueColor *= 1.0 + depth * g * vec3(0.9, 1.05, 1.1);
+    rough = clamp(rough - 0.25 * depth * g, 0.2, 0.9);
+  }
+#endif
+  vec3 albedo = outside ? tissueColor : mix(color, vec3(dot(color, vec3(0.21, 0.72, 0.07))), 0.6) * 0.30;
+  float height = dot(n, normalize(up_V + vec3(0.0, 0.6, 0.0))) * 0.5 + 0.5;
+  vec3 ambient = mix(vec3(0.30, 0.25, 0.23), vec3(0.52, 0.56, 0.62), height);
+  vec3 result = albedo * ambient;
+  result += litBy(normalize(vec3(-0.45, 0.60, 0.75)), vec3(1.14, 1.09, 1.01), 0.20, rough, n, v, albedo);
+  result += litBy(normalize(vec3(0.80, 0.05, 0.55)), vec3(0.34, 0.39, 0.47), 0.35, rough, n, v, albedo);
+  result += litBy(normalize(vec3(0.25, 0.55, -0.80)), vec3(0.50, 0.52, 0.55), 0.10, rough, n, v, albedo);
+
+  float graze = 1.0 - nv;
+  float contour = smoothstep(0.70, 1.0, graze);
+  if (outside && !faceted) {
+    result *= 1.0 - 0.45 * contour;
+    result += mix(vec3(0.8), albedo, 0.5) * 0.10 * graze * graze * graze * height;
+  }
+  result = mix(result, tint.rgb * (0.35 + 0.65 * nv), tint.a * (0.45 + 0.55 * graze));
+
+  // A film is denser where one looks along it.
+  float denser = (1.0 - opacity) * 0.55 * graze * graze * sqrt(graze);
+  float alpha = opacity >= 1.0 ? 1.0 : clamp(opacity + denser, 0.0, 1.0);
+  shaded = vec4(result * alpha, alpha);
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/body/SoftObject.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "simcore/fem/Rotation.h"
+
+namespace glenoid {
+
+namespace {
+/// The ten blocks of an element on and below the diagonal, by local node.
+constexpr auto& kPairs = kPackPairs;
+}  // namespace
+
+SoftObject::SoftObject(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh, int rotationOffset)
+    : ContactObject(layout), m_mesh(std::move(mesh)), m_rotationOffset(rotationOffset) {}
+
+Result<std::unique_ptr<SoftObject>> SoftObject::make(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh,
+                                                     const std::vector<ElementTissue>& tissue, int rotationOffset) {
+  std::unique_ptr<SoftObject> soft(new SoftObject(layout, std::move(mesh), rotationOffset));
+  const TetMesh& tets = *soft->m_mesh;
+  soft->m_nodeMass.assign(tets.nodes.size(), 0);
+  soft->m_nodeDrag.assign(tets.nodes.size(), 0);
+  for (std::size_t e = 0; e < tets.tets.size(); ++e) {
+    Mat34 x0;
+    for (int i = 0; i < 4; ++i) x0.col(i) = tets.nodes[tets.tets[e][i]];
+    Result<CorotTet> element = makeCorotTet(x0, tissue[e].lame, tissue[e].fill);
+    if (!element) {
+      element.error().place.element = static_cast<long>(e);
+      return element.error();
+    }
+    const double quarter = tissue[e].density * element->volume / 4;
+    for (int i = 0; i < 4; ++i) {
+      soft->m_nodeMass[tets.tets[e][i]] += quarter;
+      soft->m_nodeDrag[tets.tets[e][i]] += quarter * tissue[e].massDamping;
+    }
+    soft->m_elements.push_back(*element);
+    soft->m_stiffnessDamping.push_back(tissue[e].stiffnessDamping);
+  }
+  soft->buildPacks();
+  return soft;
+}
+
+void SoftObject::buildPacks() {
+  for (int first = 0; first < elementCount(); first += 4) {
+    ElementPack& pack = m_packs.emplace_back();
+    pack.count = std::min(4, elementCount() - first);
+    for (int lane = 0; lane < 4; ++lane) {
+      const int e = std::min(first + lane, elementCount() - 1);
+      const bool used = lane < pack.count;
+      const CorotTet& tet = m_elements[e];
+      for (int i = 0; i < 4; ++i) {
+        pack.node[lane][i] = m_mesh->tets[e][i];
+        for (int axis = 0; axis < 3; ++axis) pack.gradients[i][axis][lane] = tet.gradients_E(axis, i);
+      }
+      pack.lambda[lane] = used ? tet.volume * tet.lame.lambda : 0;
+      pack.mu[lane] = used ? tet.volume * tet.lame.mu : 0;
+      pack.stiffnessDamping[lane] = used ? m_stiffnessDamping[e] : 0;
+    }
+  }
+}
+
+void SoftObject::appendBlockPairs(int base, std::vector<std::array<int, 2>>& pairs) const {
+  for (const auto& tet : m_mesh->tets)
+    for (int k = 4; k < 10; ++k) pairs.push_back({base + tet[kPairs[k][0]], base + tet[kPairs[k][1]]});
+}
+
+std::vector<BlockEntry> SoftObject::blockEntries(const BlockSymbolic& symbolic, int base) const {
+  std::vector<BlockEntry> entries;
+  entries.reserve(m_mesh->tets.size() * 10 + m_mesh->nodes.size());
+  for (const auto& tet : m_mesh->tets)
+    for (const auto& pair : kPairs) entries.push_back(symbolic.entry(base + tet[pair[0]], base + tet[pair[1]]));
+  for (int node = 0; node < layout().nodeCount; ++node) entries.push_back(symbolic.entry(base + node, base + node));
+  return entries;
+}
+
+Mat34 SoftObject::nodesOf(int element, const VecX& q) const {
+  Mat34 x;
+  const auto& tet = m_mesh->tets[element];
+  for (int i = 0; i < 4; ++i) x.col(i) = q.segment<3>(layout().qOffset + 3 * tet[i]);
+  return x;
+}
+
+void SoftObject::assembleElement(int e, const StepSettings& settings, const VecX& q, const BlockEntry* entries,
+                                 Eigen::Map<Quat> rotation, BlockMatrix& A, Eigen::Ref<VecX> b) const {
+  const double dt = settings.dt;
+  const CorotTet& tet = m_elements[e];
+  const Mat3 F = deformationGradient(tet, nodesOf(e, q));
+  Quat R = rotation;
+  if (settings.rotationsBySvd && F.allFinite())
+    R = rotationBySvd(F);
+  else
+    nearestRotation(F, R);
+  rotation = R;
+  const Mat3 R_WE = R.toRotationMatrix();
+  const Mat34 force = elasticForce(tet, F, R_WE);
+  for (int i = 0; i < 4; ++i) b.segment<3>(3 * m_mesh->tets[e][i]) += dt * force.col(i);
+  const double scale = dt * dt + (settings.damping ? dt * m_stiffnessDamping[e] : 0);
+  const Mat34 g = rotatedGradients(tet, R_WE);
+  for (int k = 0; k < 10; ++k) A.add(entries[k], scale * stiffnessBlock(tet, g.col(kPairs[k][0]), g.col(kPairs[k][1])));
+}
+
+void SoftObject::assemble(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries,
+                          VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
+  const double dt = settings.dt;
+  const auto rotationOf = [&](int e) { return rotations.data() + m_rotationOffset + 4 * e; };
+  if (settings.rotationsBySvd) {
+    for (int e = 0; e < elementCount(); ++e)
+      assembleElement(e, settings, state.q, &entries[10 * e], Eigen::Map<Quat>(rotationOf(e)), A, b);
+  } else {
+    const PackKernel kernel = packKernel(settings.portable);
+    PackTarget target;
+    PackResult result;
+    for (std::size_t p = 0; p < m_packs.size(); ++p) {
+      const ElementPack& pack = m_packs[p];
+      const int first = 4 * static_cast<int>(p);
+      const double* guesses[4];
+      for (int lane = 0; lane < 4; ++lane) {
+        const int e = std::min(first + lane, elementCount() - 1);
+        guesses[lane] = rotationOf(e);
+        for (int k = 0; k < 10; ++k) {
+          const BlockEntry entry = entries[10 * e + k];
+          target.slot[lane][k] = lane < pack.count ? A.slot(entry.slot) : nullptr;
+          target.turned[lane][k] = entry.transposed;
+        }
+      }
+      kernel(pack, state.q.data() + layout().qOffset, guesses, dt, settings.damping ? 1 : 0, target, result);
+      for (int lane = 0; lane < pack.count; ++lane) {
+        const int e = first + lane;
+        if (!result.settled[lane]) {
+          assembleElement(e, settings, state.q, &entries[10 * e], Eigen::Map<Quat>(rotationOf(e)), A, b);
+          continue;
+        }
+        std::copy_n(result.quaternion[lane], 4, rotationOf(e));
+        for (int i = 0; i < 4; ++i)
+          for (int axis = 0; axis < 3; ++axis) b[3 * pack.node[lane][i] + axis] += dt * result.force[i][axis][lane];
+      }
+    }
+  }
+  const std::span<const BlockEntry> diagonal = entries.subspan(10 * m_elements.size());
+  for (int node = 0; node < layout().nodeCount; ++node) {
+    const double drag = settings.damping ? dt * m_nodeDrag[node] : 0;
+    double* slot = A.slot(diagonal[node].slot);
+    for (int c = 0; c < 3; ++c) slot[5 * c] += m_nodeMass[node] + drag;
+    b.segment<3>(3 * node) += m_nodeMass[node] * (state.v.segment<3>(layout().vOffset + 3 * node) + dt * settings.gravity_W);
+  }
+}
+
+void SoftObject::advance(double dt, State& state) const {
+  if (!layout().free) return;
+  state.q.segment(layout().qOffset, layout().qSize) += dt * state.v.segment(layout().vOffset, layout().vSize);
+}
+
+Vec3 SoftObject::position(const MaterialPoint& point, const VecX& q) const {
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < point.count; ++i) p += point.weight[i] * q.segment<3>(layout().qOffset + 3 * point.node[i]);
+  return p;
+}
+
+Vec3 SoftObject::velocity(const MaterialPoint& point, const VecX&, const VecX& v) const {
+  if (!layout().free) return Vec3::Zero();
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < point.count; ++i) p += point.weight[i] * v.segment<3>(layout().vOffset + 3 * point.node[i]);
+  return p;
+}
+
+int SoftObject::rowTerms(const MaterialPoint& point, const Vec3& d, const VecX&, int base, RowTerm* terms) const {
+  if (!layout().free) return 0;
+  for (int i = 0; i < point.count; ++i) terms[i] = {base + point.node[i], point.weight[i] * d};
+  return point.count;
+}
+
+double SoftObject::mass() const { return std::accumulate(m_nodeMass.begin(), m_nodeMass.end(), 0.0); }
+
+double SoftObject::kineticEnergy(const State& state) const {
+  if (!layout().free) return 0;
+  double energy = 0;
+  for (int node = 0; node < layout().nodeCount; ++node)
+    energy += 0.5 * m_nodeMass[node] * state.v.segment<3>(layout().vOffset + 3 * node).squaredNorm();
+  return energy;
+}
+
+double SoftObject::elasticEnergy(const State& state) const {
+  double energy = 0;
+  for (int e = 0; e < elementCount(); ++e) {
+    const Mat3 F = deformationGradient(m_elements[e], nodesOf(e, state.q));
+    Quat R = Eigen::Map<const Quat>(state.rotations.data() + m_rotationOffset + 4 * e);
+    nearestRotation(F, R);
+    energy += glenoid::elasticEnergy(m_elements[e], F, R.toRotationMatrix());
+  }
+  return energy;
+}
+
+Vec6 SoftObject::momentum(const State& state) const {
+  Vec6 sum = Vec6::Zero();
+  if (!layout().free) return sum;
+  for (int node = 0; node < layout().nodeCount; ++node) {
+    const Vec3 p = m_nodeMass[node] * state.v.segment<3>(layout().vOffset + 3 * node);
+    sum.head<3>() += p;
+    sum.tail<3>() += state.q.segment<3>(layout().qOffset + 3 * node).cross(p);
+  }
+  return sum;
+}
+
+}  // namespace glenoid

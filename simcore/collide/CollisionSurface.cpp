@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/collide/CollisionSurface.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace glenoid {
+namespace {
+
+/// One side of a triangle, seen from its edge.
+struct Side {
+  std::array<int, 2> vertices;  ///< ascending
+  int triangle, corner;         ///< the side joins corners corner and corner + 1
+  bool reversed;                ///< the triangle runs from the larger vertex to the smaller
+};
+
+/// Rows of a table from (row, entry) pairs that come in ascending order of entry.
+void makeRows(int rows, const std::vector<std::array<int, 2>>& entries, std::vector<int>& start,
+              std::vector<int>& list) {
+  start.assign(rows + 1, 0);
+  for (const auto& [row, entry] : entries) ++start[row + 1];
+  for (int i = 0; i < rows; ++i) start[i + 1] += start[i];
+  list.resize(entries.size());
+  std::vector<int> next(start.begin(), start.end() - 1);
+  for (const auto& [row, entry] : entries) list[next[row]++] = entry;
+}
+
+}  // namespace
+
+std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh) {
+  auto surface = std::make_shared<CollisionSurface>();
+  surface->vertexCount = static_cast<int>(mesh.vertices.size());
+  surface->triangles = mesh.triangles;
+  surface->restVertices = mesh.vertices;
+
+  std::vector<Side> sides;
+  sides.reserve(3 * mesh.triangles.size());
+  std::vector<std::array<int, 2>> entries;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      assert(a >= 0 && a < surface->vertexCount);
+      sides.push_back({{std::min(a, b), std::max(a, b)}, t, k, a > b});
+      entries.push_back({a, t});
+    }
+  }
+  makeRows(surface->vertexCount, entries, surface->triangleStart, surface->triangleList);
+
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return x.vertices != y.vertices ? x.vertices < y.vertices : x.triangle < y.triangle;
+  });
+  surface->closed = !sides.empty();
+  surface->triangleEdges.resize(mesh.triangles.size());
+  for (std::size_t first = 0; first < sides.size();) {
+    std::size_t last = first + 1;
+    while (last < sides.size() && sides[last].vertices == sides[first].vertices) ++last;
+    CollisionSurface::Edge edge{sides[first].vertices, {-1, -1}, {-1, -1}};
+    for (std::size_t i = first; i < last; ++i) {
+      const Side& side = sides[i];
+      surface->triangleEdges[side.triangle][side.corner] = static_cast<int>(surface->edges.size());
+      if (i - first >= 2) continue;
+      edge.triangles[i - first] = side.triangle;
+      edge.opposite[i - first] = mesh.triangles[side.triangle][(side.corner + 2) % 3];
+    }
+    if (last - first != 2 || sides[first].reversed == sides[first + 1].reversed) surface->closed = false;
+    surface->edges.push_back(edge);
+    first = last;
+  }
+
+  entries.clear();
+  for (int e = 0; e < static_cast<int>(surface->edges.size()); ++e) {
+    for (const int v : surface->edges[e].vertices) entries.push_back({v, e});
+  }
+  makeRows(surface->vertexCount, entries, surface->edgeStart, surface->edgeList);
+  return surface;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cassert>
+#include <cstdint>
+
+#include "simcore/collide/MovingSurface.h"
+
+namespace glenoid {
+
+/// Name of a constraint: pair (13 bits), kinds of both features (3 bits), their ids (24 bits each). The same
+/// features of the same pair get the same key in every step; no two constraints of a step share one.
+struct FeatureKey {
+  static constexpr int kIdBits = 24, kKindBits = 3;
+  static constexpr int kMaxPairs = 1 << (64 - 2 * kIdBits - kKindBits);
+
+  static std::uint64_t make(int pair, FeatureKind kindA, int idA, FeatureKind kindB, int idB) {
+    assert(pair < kMaxPairs && idA < (1 << kIdBits) && idB < (1 << kIdBits));
+    std::uint64_t key = static_cast<std::uint64_t>(pair);
+    key = key << kKindBits | combination(kindA, kindB);
+    key = key << kIdBits | static_cast<std::uint64_t>(idA);
+    return key << kIdBits | static_cast<std::uint64_t>(idB);
+  }
+
+ private:
+  /// Only six of the nine combinations occur.
+  static std::uint64_t combination(FeatureKind a, FeatureKind b) {
+    if (a == FeatureKind::Vertex) return b == FeatureKind::Face ? 0 : (b == FeatureKind::Edge ? 3 : 5);
+    if (a == FeatureKind::Face) return 1;
+    return b == FeatureKind::Edge ? 2 : 4;
+  }
+};
+
+}  // namespace glenoid

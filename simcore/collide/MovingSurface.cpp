@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/collide/MovingSurface.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "simcore/spatial/TrianglePoint.h"
+
+namespace glenoid {
+namespace {
+
+BoxTree restTree(const CollisionSurface& surface) {
+  std::vector<Box3> boxes(surface.triangles.size());
+  for (std::size_t t = 0; t < boxes.size(); ++t) {
+    for (const int v : surface.triangles[t]) boxes[t].extend(surface.restVertices[v]);
+  }
+  return BoxTree(boxes);
+}
+
+/// Angle between two vectors, by a form that keeps its digits near 0 and π.
+double angleBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
+    : m_topology(std::move(topology)), m_tree(restTree(*m_topology)) {
+  const std::size_t triangles = m_topology->triangles.size();
+  m_speed.resize(m_topology->vertexCount);
+  m_faceNormal.resize(triangles);
+  m_faceOffset.resize(triangles);
+  m_margin.resize(triangles);
+  m_convex.resize(m_topology->edges.size());
+  m_vertexNormal.resize(m_topology->vertexCount);
+  m_vertexNormalStep.assign(m_topology->vertexCount, -1);
+}
+
+void MovingSurface::update(std::span<const Vec3> positions, std::span<const Vec3> velocities,
+                           double contactDistance, double dt, double lookAhead) {
+  const CollisionSurface& s = *m_topology;
+  assert(static_cast<int>(positions.size()) == s.vertexCount);
+  assert(velocities.empty() || velocities.size() == positions.size());
+  ++m_step;
+  m_x = positions;
+  m_v = velocities;
+  double sum = 0;  // not finite as soon as one entry is not
+  for (const Vec3& p : positions) sum += p.sum();
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    m_speed[i] = velocities[i].norm();
+    sum += m_speed[i];
+  }
+  m_usable = std::isfinite(sum) && !s.triangles.empty();
+  if (!m_usable) return;
+
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto [i, j, k] = s.triangles[t];
+    const Vec3 &a = m_x[i], &b = m_x[j], &c = m_x[k];
+    const Vec3 twice = (b - a).cross(c - a);
+    const double area = twice.norm();
+    m_faceNormal[t] = area > 0 ? Vec3(twice / area) : Vec3(Vec3::Zero());
+    m_faceOffset[t] = m_faceNormal[t].dot(a);
+    const double speed = m_v.empty() ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
+    m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, lookAhead);
+    const Vec3 reach = Vec3::Constant(m_margin[t]);
+    m_tree.setBox(static_cast<int>(t), a.cwiseMin(b).cwiseMin(c) - reach, a.cwiseMax(b).cwiseMax(c) + reach);
+  }
+  m_tree.refit();
+  for (std::size_t e = 0; e < s.edges.size(); ++e) {
+    const CollisionSurface::Edge& edge = s.edges[e];
+    if (edge.triangles[1] < 0) {
+      m_convex[e] = 0;
+      continue;
+    }
+    const Vec3 away = m_x[edge.opposite[1]] - m_x[edge.vertices[0]];
+    const double above = m_faceNormal[edge.triangles[0]].dot(away);
+    m_convex[e] = above < 0 && above * above > 1e-6 * away.squaredNorm();
+  }
+}
+
+Vec3 MovingSurface::edgeNormal(int edge) const {
+  const auto& t = m_topology->edges[edge].triangles;
+  return t[1] < 0 ? m_faceNormal[t[0]] : Vec3(m_faceNormal[t[0]] + m_faceNormal[t[1]]);
+}
+
+const Vec3& MovingSurface::vertexNormal(int vertex) {
+  if (m_vertexNormalStep[vertex] == m_step) return m_vertexNormal[vertex];
+  m_vertexNormalStep[vertex] = m_step;
+  Vec3 normal = Vec3::Zero();
+  for (const int t : m_topology->trianglesOf(vertex)) {
+    const auto& corner = m_topology->triangles[t];
+    const int k = corner[0] == vertex ? 0 : (corner[1] == vertex ? 1 : 2);
+    const Vec3& p = m_x[vertex];
+    normal += angleBetween(m_x[corner[(k + 1) % 3]] - p, m_x[corner[(k + 2) % 3]] - p) * m_faceNormal[t];
+  }
+  return m_vertexNormal[vertex] = normal;
+}
+
+MovingSurface::Feature MovingSurface::featureOf(int triangle, const Vec3& w) const {
+  const bool on0 = w[0] > 0, on1 = w[1] > 0, on2 = w[2] > 0;
+  const auto& corner = m_topology->triangles[triangle];
+  const auto& side = m_topology->triangleEdges[triangle];
+  if (on0 && on1 && on2) return {FeatureKind::Face, triangle};
+  if (on0 && on1) return {FeatureKind::Edge, side[0]};
+  if (on1 && on2) return {FeatureKind::Edge, side[1]};
+  if (on0 && on2) return {FeatureKind::Edge, side[2]};
+  return {FeatureKind::Vertex, on0 ? corner[0] : (on1 ? corner[1] : corner[2])};
+}
+
+Vec3 MovingSurface::normalOf(const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::Face:
+      return m_faceNormal[feature.id];
+    case FeatureKind::Edge:
+      return edgeNormal(feature.id);
+    case FeatureKind::Vertex:
+      break;
+  }
+  return vertexNormal(feature.id);
+}
+
+MovingSurface::Nearest MovingSurface::nearest(const Vec3& p, double reach) {
+  Nearest found;
+  const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
+    const double h = height(t, p);
+    if (h * h > bestSoFar) return h * h;
+    const auto [i, j, k] = m_topology->triangles[t];
+    const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
+    const Vec3 q = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
+    const double d = (q - p).squaredNorm();
+    if (d < bestSoFar || (d == bestSoFar && found.triangle > t)) {
+      found.triangle = t;
+      found.barycentric = w;
+      found.point = q;
+    }
+    return d;
+  });
+  if (found.triangle < 0) return found;
+  found.distance = std::sqrt(best);
+  found.feature = featureOf(found.triangle, found.barycentric);
+  found.inside = normalOf(found.feature).dot(p - found.point) <= 0;
+  return found;
+}
+
+MovingSurface::Nearest MovingSurface::nearestFacing(const Vec3& p, double reach, const Vec3& direction,
+                                                    double facing) {
+  Nearest found;
+  const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
+    const double h = height(t, p);
+    const double none = 2 * bestSoFar + 1;
+    if (h > 0 || h * h >= bestSoFar || m_faceNormal[t].dot(direction) > facing) return none;
+    const auto [i, j, k] = m_topology->triangles[t];
+    const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
+    if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) return none;
+    found.triangle = t;
+    found.barycentric = w;
+    found.point = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
+    return h * h;
+  });
+  if (found.triangle < 0) return found;
+  found.distance = std::sqrt(best);
+  found.feature = {FeatureKind::Face, found.triangle};
+  found.inside = true;
+  return found;
+}
+
+}  // namespace glenoid

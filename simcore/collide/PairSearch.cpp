@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/collide/PairSearch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/collide/FeatureKey.h"
+#include "simcore/spatial/Intersect.h"
+#include "simcore/spatial/TrianglePoint.h"
+
+namespace glenoid {
+namespace {
+
+/// Distances below this are taken as touching: the direction between two points says nothing any more. m.
+constexpr double kTouching = 1e-9;
+/// Two constraints of one vertex whose feet are nearer than this are the same contact on two features. m.
+constexpr double kSameFoot = 1e-6;
+/// Slack of the Voronoi test, m²: far below (edge length) × (contact distance), far above rounding.
+constexpr double kVoronoiSlack = 1e-12;
+/// A vertex whose own normal points along the contact normal more than this lies on the far side of its body.
+constexpr double kFarSide = 0.5;
+/// Squared sine of the angle below which two edges are parallel: their ends say it better.
+constexpr double kParallel = 1e-6;
+/// Two crossed edges must be at least this share of their overlap below the other's surface.
+constexpr double kWedge = 0.4;
+
+FeaturePoint vertexPoint(int vertex) {
+  FeaturePoint point;
+  point.vertex = {vertex, vertex, vertex};
+  return point;
+}
+
+FeaturePoint edgePoint(const CollisionSurface::Edge& edge, double t) {
+  FeaturePoint point;
+  point.count = 2;
+  point.vertex = {edge.vertices[0], edge.vertices[1], edge.vertices[1]};
+  point.weight = {1 - t, t, 0};
+  return point;
+}
+
+/// The corners that carry the point, in the triangle's order.
+FeaturePoint trianglePoint(const std::array<int, 3>& triangle, const Vec3& w) {
+  FeaturePoint point;
+  point.count = 0;
+  for (int k = 0; k < 3; ++k) {
+    if (!(w[k] > 0)) continue;
+    point.vertex[point.count] = triangle[k];
+    point.weight[point.count++] = w[k];
+  }
+  for (int k = point.count; k < 3; ++k) {
+    point.vertex[k] = point.vertex[point.count - 1];
+    point.weight[k] = 0;
+  }
+  return point;
+}
+
+Vec3 velocityOf(const MovingSurface& surface, const FeaturePoint& point) {
+  Vec3 v = Vec3::Zero();
+  for (int k = 0; k < point.count; ++k) v += point.weight[k] * surface.v(point.vertex[k]);
+  return v;
+}
+
+}  // namespace
+
+void PairSearch::prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners) {
+  side.surface = &surface;
+  side.owners = &owners;
+  const std::size_t count = surface.topology().vertexCount;
+  if (side.chain.size() < count) {
+    side.chain.resize(count);
+    side.chainMark.resize(count, 0);
+    side.queueMark.resize(count, 0);
+    side.queue.reserve(count);
+  }
+  side.queue.clear();
+}
+
+void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOwners& ownersA,
+                     MovingSurface& b, const FeatureOwners& ownersB, std::vector<Proximity>& out,
+                     ProximityFinder::Counts& counts) {
+  if (!a.usable() || !b.usable()) return;
+  const BoxTree::Node &rootA = a.tree().nodes()[0], &rootB = b.tree().nodes()[0];
+  if (!BoxTree::overlap(rootA, rootB)) return;
+  m_settings = settings;
+  m_out = &out;
+  m_counts = &counts;
+  ++m_mark;
+  prepare(m_a, a, ownersA);
+  prepare(m_b, b, ownersB);
+  BoxTree::walkPairs(a.tree(), b.tree(), [this](int ta, int tb) { trianglePair(ta, tb); });
+
+  // A surface that the other swallows whole meets no triangle; one vertex tells.
+  const auto within = [](const BoxTree::Node& small, const BoxTree::Node& large) {
+    bool yes = true;
+    for (int k = 0; k < 3; ++k) yes &= small.low[k] >= large.low[k] && small.high[k] <= large.high[k];
+    return yes;
+  };
+  if (ownersA.anyVertex >= 0 && within(rootA, rootB)) suspect(m_a, ownersA.anyVertex);
+  if (ownersB.anyVertex >= 0 && within(rootB, rootA)) suspect(m_b, ownersB.anyVertex);
+  followInside(m_a, m_b);
+  followInside(m_b, m_a);
+}
+
+void PairSearch::trianglePair(int ta, int tb) {
+  ++m_counts->trianglePairs;
+  const std::uint8_t ownA = m_a.owners->ofTriangle[ta], ownB = m_b.owners->ofTriangle[tb];
+  if ((ownA | ownB) & FeatureOwners::kSkipped) return;
+  const MovingSurface &a = *m_a.surface, &b = *m_b.surface;
+  const auto &ia = a.topology().triangles[ta], &ib = b.topology().triangles[tb];
+  const double reach = a.margin(ta) + b.margin(tb), behind = -std::max(m_limits.edgeDepth, reach);
+
+  // Wholly on one side of the other's plane and far from it: nothing to find.
+  double ha[3], hb[3];
+  for (int k = 0; k < 3; ++k) ha[k] = b.height(tb, a.x(ia[k]));
+  const double lowA = std::min({ha[0], ha[1], ha[2]}), highA = std::max({ha[0], ha[1], ha[2]});
+  if (lowA > reach || highA < behind) return;
+  for (int k = 0; k < 3; ++k) hb[k] = a.height(ta, b.x(ib[k]));
+  const double lowB = std::min({hb[0], hb[1], hb[2]}), highB = std::max({hb[0], hb[1], hb[2]});
+  if (lowB > reach || highB < behind) return;
+
+  for (int k = 0; k < 3; ++k) {
+    if ((ownA >> k & 1) && std::abs(ha[k]) <= reach) vertexNearTriangle(m_a, m_b, ia[k], tb);
+    if ((ownB >> k & 1) && std::abs(hb[k]) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
+  }
+  for (int i = 0; i < 3; ++i) {
+    if (!(ownA >> (3 + i) & 1)) continue;
+    const int ea = a.topology().triangleEdges[ta][i];
+    if (!a.convex(ea)) continue;
+    for (int j = 0; j < 3; ++j) {
+      const int eb = b.topology().triangleEdges[tb][j];
+      if ((ownB >> (3 + j) & 1) && b.convex(eb)) edgeNearEdge(ea, eb);
+    }
+  }
+  if (lowA <= 0 && highA >= 0 && lowB <= 0 && highB >= 0 &&
+      trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
+    for (int k = 0; k < 3; ++k) {
+      suspect(m_a, ia[k]);
+      suspect(m_b, ib[k]);
+    }
+  }
+}
+
+bool PairSearch::near(double gap, const Vec3& normal, const Vec3& velocityA, const Vec3& velocityB) const {
+  if (gap < m_settings.contactDistance) return true;
+  const double closing = -normal.dot(velocityA - velocityB) * m_settings.dt;
+  return gap < m_settings.contactDistance + std::clamp(closing, 0.0, m_limits.lookAhead);
+}
+
+/// Whether no point of the surface beside the feature is nearer than the foot, `away` being the way from it.
+bool PairSearch::nearestLocally(const MovingSurface& surface, const MovingSurface::Feature& feature,
+                                const Vec3& foot, const Vec3& away) const {
+  const CollisionSurface& s = surface.topology();
+  if (feature.kind == FeatureKind::Edge) {
+    for (const int v : s.edges[feature.id].opposite) {
+      if (v >= 0 && away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
+    }
+  } else if (feature.kind == FeatureKind::Vertex) {
+    for (const int e : s.edgesOf(feature.id)) {
+      const auto& ends = s.edges[e].vertices;
+      const int v = ends[0] == feature.id ? ends[1] : ends[0];
+      if (away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
+    }
+  }
+  return true;
+}
+
+void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle) {
+  ++m_counts->vertexFace;
+  MovingSurface& surface = *other.surface;
+  const Vec3& p = mine.surface->x(vertex);
+  const auto [i, j, k] = surface.topology().triangles[triangle];
+  const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
+  const MovingSurface::Feature feature = surface.featureOf(triangle, w);
+  if (feature.kind == FeatureKind::Face) {
+    const double gap = surface.height(triangle, p);
+    if (gap < 0) return suspect(mine, vertex);
+    return emitVertex(mine, other, vertex, triangle, w, feature, surface.faceNormal(triangle), gap);
+  }
+  const Vec3 foot = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
+  const Vec3 away = p - foot;
+  const double distance = away.norm();
+  if (distance > m_settings.contactDistance + m_limits.lookAhead) return;
+  const std::uint8_t own = other.owners->ofTriangle[triangle];
+  const auto& corners = surface.topology().triangles[triangle];
+  const auto& sides = surface.topology().triangleEdges[triangle];
+  const auto& ids = feature.kind == FeatureKind::Edge ? sides : corners;
+  const int place = ids[0] == feature.id ? 0 : (ids[1] == feature.id ? 1 : 2);
+  if (!(own >> (place + (feature.kind == FeatureKind::Edge ? 3 : 0)) & 1)) return;
+  if (!nearestLocally(surface, feature, foot, away)) return;
+  const Vec3 pseudo = surface.normalOf(feature);
+  if (distance < kTouching) {
+    return emitVertex(mine, other, vertex, triangle, w, feature, pseudo.stableNormalized(), 0);
+  }
+  if (away.dot(pseudo) < 0) return suspect(mine, vertex);
+  emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
+}
+
+/// Outside: the vertex must be near and not on the far side of its own body. Inside (gap < 0): always.
+void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
+                            const MovingSurface::Feature& feature, const Vec3& outward, double gap) {
+  const bool first = &mine == &m_a;
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  FeaturePoint& own = first ? contact.a : contact.b;
+  FeaturePoint& foot = first ? contact.b : contact.a;
+  own = vertexPoint(vertex);
+  foot = trianglePoint(other.surface->topology().triangles[triangle], barycentric);
+  contact.normal_W = first ? outward : Vec3(-outward);
+  contact.gap = gap;
+  if (gap >= 0) {
+    if (!near(gap, outward, mine.surface->v(vertex), velocityOf(*other.surface, foot))) return;
+    const Vec3& normal = mine.surface->vertexNormal(vertex);
+    if (normal.dot(outward) > kFarSide * normal.norm()) return;
+  }
+  contact.key =
+      first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
+            : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
+
+  // Where faces meet almost flat, rounding lets two features claim the same foot: the lower key stays.
+  if (mine.chainMark[vertex] != m_mark) {
+    mine.chainMark[vertex] = m_mark;
+    mine.chain[vertex] = -1;
+  }
+  const auto footPosition = [&](const FeaturePoint& point) {
+    Vec3 x = Vec3::Zero();
+    for (int k = 0; k < point.count; ++k) x += point.weight[k] * other.surface->x(point.vertex[k]);
+    return x;
+  };
+  const Vec3 here = footPosition(foot);
+  for (int i = mine.chain[vertex]; i >= 0; i = m_next[i]) {
+    Proximity& known = (*m_out)[i];
+    if ((footPosition(first ? known.b : known.a) - here).squaredNorm() > kSameFoot * kSameFoot) continue;
+    if (contact.key < known.key) known = contact;
+    return;
+  }
+  m_next.resize(m_out->size() + 1);
+  m_next[m_out->size()] = mine.chain[vertex];
+  mine.chain[vertex] = static_cast<int>(m_out->size());
+  m_out->push_back(contact);
+}
+
+void PairSearch::edgeNearEdge(int ea, int eb) {
+  ++m_counts->edgeEdge;
+  MovingSurface &a = *m_a.surface, &b = *m_b.surface;
+  const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
+  const Vec3 &a0 = a.x(edgeA.vertices[0]), &b0 = b.x(edgeB.vertices[0]);
+  const Vec3 da = a.x(edgeA.vertices[1]) - a0, db = b.x(edgeB.vertices[1]) - b0, between = b0 - a0;
+  Vec3 n = da.cross(db);
+  const double n2 = n.squaredNorm();
+  if (n2 <= kParallel * da.squaredNorm() * db.squaredNorm()) return;
+  const double furthest = std::max(m_settings.contactDistance + m_limits.lookAhead, m_limits.edgeDepth);
+  const double offset = n.dot(between);
+  if (offset * offset > furthest * furthest * n2) return;
+  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);  // times n2
+  if (!(s > 0 && s < n2 && t > 0 && t < n2)) return;
+
+  // Both wedges must fall away from the plane between them, else some other feature is nearer.
+  const Vec3 &oppositeB0 = b.x(edgeB.opposite[0]), &oppositeB1 = b.x(edgeB.opposite[1]);
+  double b1 = n.dot(oppositeB0 - b0), b2 = n.dot(oppositeB1 - b0);
+  if (b1 * b2 < 0 || (b1 == 0 && b2 == 0)) return;
+  if (b1 > 0 || b2 > 0) n = -n;
+  if (n.dot(a.x(edgeA.opposite[0]) - a0) < 0 || n.dot(a.x(edgeA.opposite[1]) - a0) < 0) return;
+  n /= std::sqrt(n2);
+  const double gap = -n.dot(between);
+  if (gap < -m_limits.edgeDepth) return;
+
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  contact.a = edgePoint(edgeA, s / n2);
+  contact.b = edgePoint(edgeB, t / n2);
+  contact.normal_W = n;
+  contact.gap = gap;
+  if (!near(gap, n, velocityOf(a, contact.a), velocityOf(b, contact.b))) return;
+  if (gap < -kTouching) {
+    const double least = -kWedge * gap;
+    if (!inDepth(m_b, a0 + s / n2 * da, least) || !inDepth(m_a, b0 + t / n2 * db, least)) return;
+  }
+  contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
+  m_next.resize(m_out->size() + 1);
+  m_next[m_out->size()] = -1;
+  m_out->push_back(contact);
+}
+
+bool PairSearch::inDepth(Side& side, const Vec3& p, double depth) {
+  ++m_counts->depthQueries;
+  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_limits.edgeDepth + kTouching);
+  if (nearest.triangle < 0 || !nearest.inside || nearest.distance < depth) return false;
+  return !(side.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped);
+}
+
+void PairSearch::suspect(Side& mine, int vertex) {
+  if (mine.queueMark[vertex] == m_mark) return;
+  mine.queueMark[vertex] = m_mark;
+  mine.queue.push_back(vertex);
+}
+
+/// From the vertices where the surfaces meet along the edges to all that are inside: each is pushed out
+/// through the nearest face.
+void PairSearch::followInside(Side& mine, Side& other) {
+  MovingSurface& surface = *other.surface;
+  for (std::size_t i = 0; i < mine.queue.size(); ++i) {
+    const int vertex = mine.queue[i];
+    if (!mine.owners->vertexTakesPart[vertex]) continue;
+    const Vec3& p = mine.surface->x(vertex);
+    ++m_counts->depthQueries;
+    MovingSurface::Nearest nearest = surface.nearest(p, m_limits.depth);
+    if (nearest.triangle < 0 || !nearest.inside) continue;
+    for (const int e : mine.surface->topology().edgesOf(vertex)) {
+      const auto& ends = mine.surface->topology().edges[e].vertices;
+      suspect(mine, ends[0] == vertex ? ends[1] : ends[0]);
+    }
+
+    // In a thin sheet the far face may be nearer; a face that looks at the vertex's own side goes before it.
+    const auto outwardOf = [&](const MovingSurface::Nearest& found) -> Vec3 {
+      if (found.feature.kind == FeatureKind::Face) return surface.faceNormal(found.triangle);
+      const Vec3 way = found.point - p;
+      return found.distance > kTouching ? Vec3(way / found.distance)
+                                        : Vec3(surface.normalOf(found.feature).stableNormalized());
+    };
+    Vec3 outward = outwardOf(nearest);
+    const Vec3 own = mine.surface->vertexNormal(vertex).stableNormalized();
+    if (own.dot(outward) > kFarSide && nearest.distance > kTouching) {
+      ++m_counts->depthQueries;
+      const double reach = std::min(m_limits.depth, 3 * nearest.distance);
+      const MovingSurface::Nearest facing = surface.nearestFacing(p, reach, own, -0.2);
+      if (facing.triangle >= 0) {
+        nearest = facing;
+        outward = surface.faceNormal(facing.triangle);
+      }
+    }
+    if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
+    emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward,
+               -nearest.distance);
+  }
+}
+
+}  // namespace glenoid

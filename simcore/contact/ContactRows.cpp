@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/contact/ContactRows.h"
+
+#include <algorithm>
+
+namespace glenoid {
+
+void IslandRows::clear() {
+  m_terms.clear();
+  m_contact.clear();
+  m_start.assign(1, 0);
+}
+
+void IslandRows::begin(int contact) { m_contact.push_back(contact); }
+
+void IslandRows::append(const ContactObject& object, const MaterialPoint& point, const Vec3& direction, const VecX& q,
+                        int base) {
+  RowTerm terms[kMaxPointTerms];
+  const int count = object.rowTerms(point, direction, q, base, terms);
+  m_terms.insert(m_terms.end(), terms, terms + count);
+}
+
+bool IslandRows::finish() {
+  const auto first = m_terms.begin() + m_start.back();
+  if (first == m_terms.end()) {
+    m_contact.pop_back();
+    return false;
+  }
+  std::sort(first, m_terms.end(), [](const RowTerm& a, const RowTerm& b) { return a.block < b.block; });
+  m_start.push_back(static_cast<int>(m_terms.size()));
+  return true;
+}
+
+std::span<const SparseRow> IslandRows::rows() {
+  m_rows.clear();
+  for (int row = 0; row < count(); ++row)
+    m_rows.emplace_back(m_terms.data() + m_start[row], m_start[row + 1] - m_start[row]);
+  return m_rows;
+}
+
+double IslandRows::dot(int row, const VecX& v) const {
+  double sum = 0;
+  for (int i = m_start[row]; i < m_start[row + 1]; ++i) sum += m_terms[i].coefficient.dot(v.segment<3>(3 * m_terms[i].block));
+  return sum;
+}
+
+void IslandRows::addTransposed(int row, double lambda, VecX& r) const {
+  for (int i = m_start[row]; i < m_start[row + 1]; ++i) r.segment<3>(3 * m_terms[i].block) += lambda * m_terms[i].coefficient;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <span>
+#include <vector>
+
+#include "simcore/body/ContactObject.h"
+#include "simcore/linear/BlockSymbolic.h"
+
+namespace glenoid {
+
+/// The rows that the contacts of a step give to one coupling island, as sparse rows over its blocks. A contact
+/// between two coupling islands gives a row to each; one inside an island gives a single row with both sides.
+class IslandRows {
+ public:
+  void clear();
+  /// Starts the row of a contact; terms follow by append.
+  void begin(int contact);
+  void append(const ContactObject& object, const MaterialPoint& point, const Vec3& direction, const VecX& q, int base);
+  /// Ends the row: terms ascending by block. A row without terms is taken back; false then.
+  bool finish();
+  /// Spans over all rows; call once when all rows are there.
+  std::span<const SparseRow> rows();
+
+  int count() const { return static_cast<int>(m_contact.size()); }
+  int contactOf(int row) const { return m_contact[row]; }
+  /// J v of one row; v: the island's velocities.
+  double dot(int row, const VecX& v) const;
+  /// r += Jᵀ λ of one row.
+  void addTransposed(int row, double lambda, VecX& r) const;
+
+ private:
+  std::vector<RowTerm> m_terms;
+  std::vector<int> m_start{0};
+  std::vector<int> m_contact;
+  std::vector<SparseRow> m_rows;
+};
+
+}  // namespace glenoid

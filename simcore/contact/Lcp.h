@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Cholesky>
+#include <vector>
+
+#include "simcore/base/Math.h"
+
+namespace glenoid {
+
+/// Linear complementarity problem: find λ ≥ 0 with w = W λ + d ≥ 0 and λᵀ w = 0, W symmetric positive
+/// semi-definite (a Delassus matrix), rows × rows. Units: W 1/kg, d and w m/s, λ N·s.
+struct LcpLimits {
+  int sweeps = 10;            ///< projected Gauss–Seidel before pivoting
+  int pivots = 40;            ///< principal pivots; 0: PGS alone
+  int lastSweeps = 200;       ///< PGS where pivoting runs out
+  double compliance = 1e-12;  ///< added to the diagonal, relative to it: mends exact duplicates
+};
+
+struct LcpReport {
+  int sweeps = 0, pivots = 0;
+  bool exact = false;   ///< pivoting ended with every sign right
+  double error = 0;     ///< max |min(λ_i W_ii, w_i)|, m/s
+};
+
+/// Scratch that only grows.
+struct LcpWork {
+  MatX scaled, factor;
+  VecX d, lambda, w, scale, best, rhs;
+  std::vector<int> active;
+  std::vector<char> isActive;
+};
+
+/// λ: first guess in, answer out. Every answer is finite and not negative.
+/// PGS gives a guess of the active set, block principal pivoting makes it exact; where that runs out (many
+/// dependent rows), the best PGS answer stays and the report says so.
+/// Source: Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear
+/// complementarity problems", Computers & Operations Research 21 (1994).
+LcpReport solveLcp(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& d, Eigen::Ref<VecX> lambda,
+                   const LcpLimits& limits, LcpWork& work);
+
+}  // namespace glenoid

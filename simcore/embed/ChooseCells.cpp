@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "simcore/embed/Cells.h"
+#include "simcore/embed/Lattice.h"
+#include "simcore/mesh/MeshHealth.h"
+#include "simcore/mesh/TetTools.h"
+
+namespace glenoid {
+namespace {
+
+constexpr int kMostTets = 200000, kShiftBelow = 1000;
+
+/// One grid that was tried.
+struct Trial {
+  CellGrid grid;
+  int miss = 0;       ///< |count − wanted|
+  double volume = 0;  ///< of the kept tetrahedra, m³
+  bool operator<(const Trial& o) const { return miss != o.miss ? miss < o.miss : volume < o.volume; }
+};
+
+CellGrid cubes(const Quat& frame, double size, const Vec3& shift) {
+  CellGrid grid;
+  grid.frame.q_WB = frame;
+  grid.cell = Vec3::Constant(size);
+  grid.shift = shift;
+  return grid;
+}
+
+/// Number of tetrahedra, or a large one when the cells are too many to try.
+int countOf(const EmbeddedSurfaces& surfaces, const CellGrid& grid) {
+  const auto lattice = cutLattice(surfaces, grid);
+  return lattice ? lattice->count : 1 << 30;
+}
+
+}  // namespace
+
+Quat principalAxes(const TriMesh& surface) {
+  // Second moments of the area, by the midpoints of the edges of each triangle (exact for quadratics).
+  double area = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  const Vec3 origin = boundsOf(surface).center();
+  for (const auto& t : surface.triangles) {
+    const Vec3 a = surface.vertices[t[0]] - origin, b = surface.vertices[t[1]] - origin,
+               c = surface.vertices[t[2]] - origin;
+    const double third = (b - a).cross(c - a).norm() / 6;
+    for (const Vec3& m : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
+      area += third, first += third * m;
+      second += third * m * m.transpose();
+    }
+  }
+  if (!(area > 0)) return Quat::Identity();
+  const Mat3 spread = second / area - first * first.transpose() / (area * area);
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(spread);
+  Mat3 axes;
+  for (int k = 0; k < 2; ++k) {
+    Vec3 axis = solver.eigenvectors().col(2 - k);
+    // The eigenvector's sign is arbitrary: its largest entry is made positive.
+    int largest = 0;
+    axis.cwiseAbs().maxCoeff(&largest);
+    axes.col(k) = axis[largest] < 0 ? Vec3(-axis) : axis;
+  }
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return Quat(axes).normalized();
+}
+
+Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets,
+                               GridAxes axes) {
+  for (const TriMesh* surface : {&visual, &collision})
+    if (const auto closed = requireClosed(*surface); !closed) return closed.error();
+  if (targetTets < 1 || targetTets > kMostTets)
+    return Error{Fault::OutOfRange,
+                 {},
+                 {std::to_string(targetTets), "1", std::to_string(kMostTets)},
+                 "tetrahedra of a part"};
+  const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
+  const EmbeddedSurfaces surfaces(visual, collision);
+
+  // From one cell around everything downwards in steps of 2 %, so that no grid is ever much finer than
+  // needed; cells that were full of tissue would need size `full`, and partly full ones more.
+  const double full = std::cbrt(5 * std::max(enclosedVolume(visual), enclosedVolume(collision)) / targetTets);
+  const double largest = 2 * boundsOf(visual).merged(boundsOf(collision)).diagonal().norm();
+  std::vector<double> sizes;
+  for (double size = largest; size > 0.9 * full; size /= 1.02) {
+    const int count = countOf(surfaces, cubes(frame, size, Vec3::Zero()));
+    if (count >= 0.6 * targetTets && count <= 1.6 * targetTets) sizes.push_back(size);
+    if (count > 2.5 * targetTets) break;
+  }
+  // Large numbers follow the size smoothly enough without shifting.
+  const int shifts = targetTets > kShiftBelow ? 1 : 27;
+  std::vector<Trial> trials;
+  for (const double size : sizes)
+    for (int s = 0; s < shifts; ++s) {
+      const Vec3 shift = Vec3(s % 3, s / 3 % 3, s / 9) / 3.0;
+      const CellGrid grid = cubes(frame, size, shift);
+      const int count = countOf(surfaces, grid);
+      if (std::abs(count - targetTets) <= 0.15 * targetTets)
+        trials.push_back({grid, std::abs(count - targetTets), count * size * size * size});
+    }
+  std::stable_sort(trials.begin(), trials.end());
+  for (const Trial& trial : trials) {
+    TetMesh mesh = meshOf(*cutLattice(surfaces, trial.grid), trial.grid);
+    int components = 0;
+    faceComponents(mesh, &components);
+    if (components == 1) return CellChoice{trial.grid, std::move(mesh), trial.grid.cell.x()};
+  }
+  return Error{Fault::Unusable,
+               {},
+               {"no cell size gives one piece of about " + std::to_string(targetTets) + " tetrahedra"},
+               "cells of a part"};
+}
+
+Result<double> cellSizeFor(const TriMesh& visual, const TriMesh& collision, int targetTets, GridAxes axes) {
+  const auto choice = chooseCells(visual, collision, targetTets, axes);
+  if (!choice) return choice.error();
+  return choice->cellSize;
+}
+
+}  // namespace glenoid

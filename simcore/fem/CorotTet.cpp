@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/fem/CorotTet.h"
+
+#include <Eigen/LU>
+
+namespace glenoid {
+
+Lame lameFrom(double youngsModulus, double poissonRatio) {
+  const double mu = youngsModulus / (2 * (1 + poissonRatio));
+  return {2 * mu * poissonRatio / (1 - 2 * poissonRatio), mu};
+}
+
+Result<CorotTet> makeCorotTet(const Mat34& x0_E, const Lame& lame, double fill) {
+  Mat3 D;
+  for (int i = 0; i < 3; ++i) D.col(i) = x0_E.col(i + 1) - x0_E.col(0);
+  const double volume = D.determinant() / 6;
+  const double longest = D.colwise().norm().maxCoeff();
+  // Scaled: an element flatter than a millionth of its size cannot carry a gradient.
+  if (!(volume > 1e-6 * longest * longest * longest / 6)) {
+    Error error{Fault::BadElement, {}, {std::to_string(volume)}, "rest volume is not positive"};
+    return error;
+  }
+  CorotTet tet;
+  const Mat3 inverse = D.inverse();  // rows are the gradients of nodes 1…3
+  tet.gradients_E.rightCols<3>() = inverse.transpose();
+  tet.gradients_E.col(0) = -tet.gradients_E.rightCols<3>().rowwise().sum();
+  tet.volume = volume * fill;
+  tet.lame = lame;
+  return tet;
+}
+
+namespace {
+Mat3 strainOf(const Mat3& F, const Mat3& R_WE) {
+  const Mat3 U = R_WE.transpose() * F;
+  return 0.5 * (U + U.transpose()) - Mat3::Identity();
+}
+}  // namespace
+
+Mat34 elasticForce(const CorotTet& tet, const Mat3& F, const Mat3& R_WE) {
+  const Mat3 strain = strainOf(F, R_WE);
+  Mat3 stress = 2 * tet.lame.mu * strain;
+  stress.diagonal().array() += tet.lame.lambda * strain.trace();
+  return -tet.volume * (R_WE * (stress * tet.gradients_E));
+}
+
+double elasticEnergy(const CorotTet& tet, const Mat3& F, const Mat3& R_WE) {
+  const Mat3 strain = strainOf(F, R_WE);
+  const double trace = strain.trace();
+  return tet.volume * (tet.lame.mu * strain.squaredNorm() + 0.5 * tet.lame.lambda * trace * trace);
+}
+
+}  // namespace glenoid

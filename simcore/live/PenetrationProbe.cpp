@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/live/PenetrationProbe.h"
+
+#include "simcore/body/SurfaceBinding.h"
+#include "simcore/spatial/TriangleTree.h"
+
+namespace glenoid {
+namespace {
+
+const SurfaceBinding& surfaceOf(const SceneObject& object, SurfaceKind kind) {
+  return kind == SurfaceKind::Visual ? object.visual : object.collision;
+}
+
+/// Which visual triangles to skip: those whose centroid lies nearest to a skipped collision triangle.
+std::vector<char> visualSkip(const TriMesh& visual, const TriMesh& collision, const std::vector<char>& skip) {
+  if (skip.empty() || collision.triangles.empty()) return {};
+  const TriangleTree tree(collision);
+  std::vector<char> result;
+  for (const auto& t : visual.triangles) {
+    const Vec3 centroid = (visual.vertices[t[0]] + visual.vertices[t[1]] + visual.vertices[t[2]]) / 3;
+    const int nearest = tree.closest(centroid).triangle;
+    result.push_back(nearest >= 0 ? skip[nearest] : 0);
+  }
+  return result;
+}
+
+PenetrationCheck makeCheck(const Model& model, SurfaceKind kind) {
+  if (kind == SurfaceKind::Collision) return PenetrationCheck(model.collisionSurfaces, model.collisionPairs);
+  std::vector<std::shared_ptr<const CollisionSurface>> surfaces;
+  for (const SceneObject& object : model.objects) surfaces.push_back(makeCollisionSurface(*object.visual.mesh));
+  std::vector<CollisionPair> pairs = model.collisionPairs;
+  for (CollisionPair& pair : pairs) {
+    const SceneObject &a = model.objects[pair.surfaceA], &b = model.objects[pair.surfaceB];
+    pair.skipTriangleA = visualSkip(*a.visual.mesh, *a.collision.mesh, pair.skipTriangleA);
+    pair.skipTriangleB = visualSkip(*b.visual.mesh, *b.collision.mesh, pair.skipTriangleB);
+  }
+  return PenetrationCheck(std::move(surfaces), std::move(pairs));
+}
+
+}  // namespace
+
+PenetrationProbe::PenetrationProbe(const Model& model, SurfaceKind kind)
+    : m_model(model), m_kind(kind), m_check(makeCheck(model, kind)) {
+  for (const SceneObject& object : model.objects) m_positions.emplace_back(surfaceOf(object, kind).vertices.size());
+  for (const auto& positions : m_positions) m_spans.emplace_back(positions);
+}
+
+void PenetrationProbe::look(const VecX& q) {
+  for (std::size_t i = 0; i < m_positions.size(); ++i) {
+    const SceneObject& object = m_model.objects[i];
+    surfacePositions(surfaceOf(object, m_kind), object.layout, q, m_positions[i]);
+  }
+  const Penetration found = m_check.deepest(m_spans);
+  if (found.pair < 0 || found.depth <= m_deepest) return;
+  m_deepest = found.depth;
+  const CollisionPair& pair = m_model.collisionPairs[found.pair];
+  m_where = m_model.objects[pair.surfaceA].id + " / " + m_model.objects[pair.surfaceB].id;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/live/Run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/live/BuildId.h"
+#include "simcore/live/Pacer.h"
+#include "simcore/live/PenetrationProbe.h"
+#include "simcore/live/RunGather.h"
+
+namespace glenoid {
+namespace {
+
+Result<long> stepCount(const RunOptions& options, double dt) {
+  if (options.steps != 0) {
+    if (options.steps > 0 && options.steps <= kRunStepsMax) return options.steps;
+    return Error{Fault::OutOfRange, {}, {std::to_string(options.steps), "1", std::to_string(kRunStepsMax)}, "steps"};
+  }
+  const double steps = std::round(options.seconds / dt);
+  if (std::isfinite(steps) && steps >= 1 && steps <= static_cast<double>(kRunStepsMax)) return static_cast<long>(steps);
+  return Error{Fault::OutOfRange, {}, {std::to_string(options.seconds) + " s", std::to_string(dt) + " s",
+                                      std::to_string(dt * kRunStepsMax) + " s"}, "seconds"};
+}
+
+Result<Done> checkInput(const Scenario& scenario, const Recording& input) {
+  for (const HandTrack& track : input.tracks) {
+    if (findTool(scenario, track.tool) < 0)
+      return Error{Fault::UnknownId, {"", "/tracks", track.tool, {}}, {track.tool, "tool"}, "recording's track"};
+    if (track.keys.empty())
+      return Error{Fault::Unusable, {"", "/tracks", track.tool, {}}, {"a track without keys"}, "recording's track"};
+  }
+  return Done{};
+}
+
+Recording recordingOf(const Model& model, const RunOptions& options, const RunReport& report) {
+  Recording recording;
+  if (options.input) {
+    recording.tracks = options.input->tracks;
+    recording.marks = options.input->marks;
+  }
+  recording.scenario = report.scenario;
+  recording.dt = model.scenario.dt;
+  recording.profile = report.profile;
+  recording.seed = model.scenario.seed;
+  recording.steps = report.steps;
+  recording.jointHash = report.jointHash;
+  recording.build = report.build;
+  recording.isa = report.isa;
+  recording.stateHash = report.stateHash;
+  return recording;
+}
+
+}  // namespace
+
+void handsAt(const Scenario& scenario, const Recording* input, double time, std::vector<Pose>& hands) {
+  hands.resize(scenario.tools.size());
+  for (std::size_t i = 0; i < hands.size(); ++i) hands[i] = scenario.tools[i].home;
+  if (!input) return;
+  for (const HandTrack& track : input->tracks) {
+    const int tool = findTool(scenario, track.tool);
+    if (tool >= 0 && !track.keys.empty()) hands[tool] = handAt(track, time);
+  }
+}
+
+double inputSeconds(const Recording& input) {
+  double end = 0;
+  for (const HandTrack& track : input.tracks)
+    if (!track.keys.empty()) end = std::max(end, track.keys.back().time);
+  for (const RecordingMark& mark : input.marks) end = std::max(end, mark.end);
+  return end;
+}
+
+Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptions& options) {
+  const double dt = model->scenario.dt;
+  const Result<long> steps = stepCount(options, dt);
+  if (!steps) return steps.error();
+  if (options.input)
+    if (const Result<Done> fits = checkInput(model->scenario, *options.input); !fits) return fits.error();
+
+  RunResult result;
+  State& state = result.state = model->start;
+  Stepper stepper(model, options.stepper);
+  RunGather gather(*model, options.input, *steps, options.stepper.profile);
+  std::optional<PenetrationProbe> collision, visual;
+  if (options.checks) collision.emplace(*model, SurfaceKind::Collision);
+  if (options.checks && options.visualEvery > 0) visual.emplace(*model, SurfaceKind::Visual);
+  std::optional<Pacer> pacer;
+  if (options.realtime) pacer.emplace(dt);
+
+  RunReport& report = result.report;
+  Inputs inputs;
+  for (long s = 0; s < *steps; ++s) {
+    if (pacer) pacer->waitForStep();
+    const double time = state.time;
+    // The hand's pose at the step's end is what the implicit step pulls towards.
+    handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
+    const StepReport& step = stepper.step(inputs, state);
+    gather.add(step, time);
+    if (collision) collision->look(state.q);
+    if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q);
+    if (s + 1 == *steps) result.contacts = step.contactViews;
+    if (options.progress && !options.progress(static_cast<double>(s + 1) / static_cast<double>(*steps)))
+      return Error{Fault::Cancelled, {}, {}, "run"};
+  }
+
+  gather.finish(report);
+  report.scenario = model->scenario.id;
+  report.profile = profileName(options.stepper.profile);
+  report.build = buildId();
+  report.isa = kernelIsa(options.stepper.portable);
+  report.jointHash = model->jointHash;
+  report.stateHash = toHex(stateHash(state));
+  report.dt = dt;
+  report.seed = model->scenario.seed;
+  report.threads = options.stepper.threads;
+  report.realtime = options.realtime;
+  report.finite = state.q.allFinite() && state.v.allFinite();
+  report.parts = partReports(*model);
+  report.couplingIslands = model->couplingIslandCount;
+  if (collision) {
+    report.penetrationMax = collision->deepest();
+    report.penetrationPair = collision->where();
+  }
+  if (visual) {
+    report.visualPenetrationMax = visual->deepest();
+    report.visualPenetrationEvery = options.visualEvery;
+  }
+  if (pacer) report.pace = pacer->report();
+  if (options.record) result.recording = recordingOf(*model, options, report);
+  return result;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/live/RunGather.h"
+
+#include <algorithm>
+
+namespace glenoid {
+namespace {
+
+constexpr double kSettling = 1.0, kRestLength = 0.5;  // s
+
+bool samePose(const Pose& a, const Pose& b) {
+  return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs();
+}
+
+int objectOf(const Model& model, const std::string& id, bool tool) {
+  for (std::size_t i = 0; i < model.objects.size(); ++i)
+    if (model.objects[i].tool == tool && model.objects[i].id == id) return static_cast<int>(i);
+  return -1;
+}
+
+/// Net force that contacts put on `first` from `second` (either may be −1: any object of that side), N.
+/// A contact's normal points from b to a, so a is pushed along it.
+Vec3 netForce(const std::vector<ContactView>& contacts, int first, int second) {
+  Vec3 sum = Vec3::Zero();
+  for (const ContactView& c : contacts) {
+    if (c.objectA == first && (second < 0 || c.objectB == second)) sum += c.force * c.normal_W;
+    else if (c.objectB == first && (second < 0 || c.objectA == second)) sum -= c.force * c.normal_W;
+  }
+  return sum;
+}
+
+/// The stages that only one effect has. What several effects share (gravity, couplings and damping are all
+/// assembled at once) has no time of its own.
+struct EffectStages {
+  const char* effect;
+  std::vector<Stage> own;
+  const char* shared;
+};
+const std::vector<EffectStages>& effectStages() {
+  static const std::vector<EffectStages> table = {
+      {"contact", {Stage::Surfaces, Stage::Collide, Stage::Islands, Stage::Delassus, Stage::Contact}, ""},
+      {"gravity", {}, "assemble"},
+      {"couplings", {}, "assemble"},
+      {"damping", {}, "assemble"},
+      {"friction", {}, "contact"},
+      {"selfContact", {}, "collide"},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::optional<double> firstMotion(const Recording* input) {
+  std::optional<double> first;
+  if (!input) return first;
+  for (const HandTrack& track : input->tracks)
+    for (std::size_t k = 1; k < track.keys.size(); ++k)
+      if (!samePose(track.keys[k].hand, track.keys[k - 1].hand)) {
+        const double begin = track.keys[k - 1].time;
+        if (!first || begin < *first) first = begin;
+        break;
+      }
+  return first;
+}
+
+RestWindow restWindow(std::optional<double> motion, double runSeconds) {
+  const double end = std::min(motion.value_or(runSeconds), runSeconds);
+  return {std::max(kSettling, end - kRestLength), end};
+}
+
+RunGather::RunGather(const Model& model, const Recording* input, long steps, Profile profile)
+    : m_model(model),
+      m_rest(restWindow(firstMotion(input), static_cast<double>(steps) * model.scenario.dt)),
+      m_dt(model.scenario.dt),
+      m_paper(profile == Profile::Paper) {
+  m_step.reserve(steps);
+  m_wall.reserve(steps);
+  for (auto& stage : m_stages) stage.reserve(steps);
+  if (!input) return;
+  for (const RecordingMark& mark : input->marks) {
+    Mark entry;
+    entry.report = {mark.name, mark.tool, mark.part, mark.begin, mark.end, 0, 0};
+    entry.tool = mark.tool.empty() ? -1 : objectOf(model, mark.tool, true);
+    entry.part = mark.part.empty() ? -1 : objectOf(model, mark.part, false);
+    m_marks.push_back(entry);
+  }
+}
+
+void RunGather::add(const StepReport& step, double time) {
+  ++m_steps;
+  if (!step.taken) ++m_rejected;
+  m_contacts += step.contacts;
+  m_active += step.active;
+  m_contactMax = std::max(m_contactMax, step.contacts);
+  m_activeMax = std::max(m_activeMax, step.active);
+  m_droppedMax = std::max(m_droppedMax, step.droppedRows);
+  m_islandsMax = std::max(m_islandsMax, step.contactIslands);
+  m_pivotsExhausted += step.pivotsExhausted;
+  m_residual = std::max(m_residual, step.residual);
+  m_complementarity = std::max(m_complementarity, step.complementarity);
+  // Half a step of slack: times are sums of steps and carry their round-off.
+  if (time > m_rest.begin - m_dt / 2 && time < m_rest.end - m_dt / 2) {
+    m_restContacts += step.contacts;
+    ++m_restSteps;
+  }
+  m_step.push_back(static_cast<float>(step.stepCpuMs));
+  m_wall.push_back(static_cast<float>(step.stepWallMs));
+  m_wallMs += step.stepWallMs;
+  m_cpuMs += step.stepCpuMs;
+  for (int s = 0; s < kStageCount; ++s) m_stages[s].push_back(static_cast<float>(step.cpuMs[s]));
+  addMarks(step, time);
+  if (m_paper) addPaper(step.paper, step.contacts > 0);
+}
+
+void RunGather::addMarks(const StepReport& step, double time) {
+  for (Mark& mark : m_marks) {
+    if (time < mark.report.begin - m_dt / 2 || time >= mark.report.end - m_dt / 2) continue;
+    double force = 0;
+    if (mark.tool >= 0) {
+      force = netForce(step.contactViews, mark.tool, mark.part).norm();
+    } else {  // any tool: the one that pushes hardest
+      for (std::size_t i = 0; i < m_model.objects.size(); ++i)
+        if (m_model.objects[i].tool)
+          force = std::max(force, netForce(step.contactViews, static_cast<int>(i), mark.part).norm());
+    }
+    mark.report.forceMax = std::max(mark.report.forceMax, force);
+    if (force >= 1.0) mark.report.seconds += m_dt;
+  }
+}
+
+void RunGather::addPaper(const PaperReport& paper, bool contact) {
+  PaperSummary& sum = m_paperSummary;
+  if (contact) {
+    if (paper.d == "node") ++sum.nodeSteps;
+    if (paper.d == "object") ++sum.objectSteps;
+    m_outer += paper.outerIterations;
+    ++m_outerSteps;
+  }
+  sum.lambdaMax = std::max(sum.lambdaMax, paper.lambdaMax);
+  sum.cgIterationsMax = std::max(sum.cgIterationsMax, paper.cgIterations);
+  sum.cgResidualMax = std::max(sum.cgResidualMax, paper.cgResidual);
+  sum.outerIterationsMax = std::max(sum.outerIterationsMax, paper.outerIterations);
+  sum.outerResidualMax = std::max(sum.outerResidualMax, paper.outerResidual);
+  sum.cgCappedSteps += paper.cgCapped;
+  sum.outerCappedSteps += paper.outerCapped;
+  sum.divergedSteps += paper.diverged;
+}
+
+void RunGather::finish(RunReport& report) {
+  const double n = std::max<long>(m_steps, 1);
+  report.steps = m_steps;
+  report.seconds = static_cast<double>(m_steps) * m_dt;
+  report.rejectedSteps = m_rejected;
+  report.pivotsExhausted = m_pivotsExhausted;
+  report.residual = m_residual;
+  report.complementarity = m_complementarity;
+  report.contactIslandsMax = m_islandsMax;
+  report.contacts = {std::nullopt, "", m_contacts / n, m_active / n, m_contactMax, m_activeMax, m_droppedMax};
+  if (m_restSteps > 0) report.contacts.rest = m_restContacts / static_cast<double>(m_restSteps);
+  else report.contacts.restReason = "no-rest-after-one-second-of-settling";
+  report.stepsPerSecond = m_wallMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_wallMs : 0;
+  report.stepsPerCpuSecond = m_cpuMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_cpuMs : 0;
+
+  std::vector<float> effect(m_step.size());
+  for (const EffectPlan& plan : m_model.effects) {
+    EffectReport entry{plan.name, plan.on ? "on" : "off", plan.reason, std::nullopt, ""};
+    const auto& table = effectStages();
+    const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) { return plan.name == row.effect; });
+    if (!plan.on) {
+      entry.ms = 0;  // off: no code of it runs
+    } else if (found != table.end() && !found->own.empty()) {
+      std::fill(effect.begin(), effect.end(), 0.0f);
+      for (const Stage stage : found->own)
+        for (std::size_t i = 0; i < effect.size(); ++i) effect[i] += m_stages[static_cast<int>(stage)][i];
+      entry.ms = timingOf(effect).median;
+    } else if (found != table.end()) {
+      entry.timedWith = found->shared;
+    }
+    report.effects.push_back(entry);
+  }
+  // After the effects: this sorts the times in place.
+  report.step = timingOf(m_step);
+  report.stepWall = timingOf(m_wall);
+  for (int s = 0; s < kStageCount; ++s) report.stages[s] = timingOf(m_stages[s]);
+  for (const Mark& mark : m_marks) report.marks.push_back(mark.report);
+  if (m_paper) {
+    m_paperSummary.outerIterationsMean = m_outerSteps ? m_outer / static_cast<double>(m_outerSteps) : 0;
+    report.diverged = m_paperSummary.divergedSteps > 0;
+    report.paper = m_paperSummary;
+  }
+}
+
+}  // namespace glenoid

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/live/RunReport.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "simcore/file/Json.h"
+
+namespace glenoid {
+namespace {
+
+using Json = JsonValue;
+
+Json object(std::initializer_list<std::pair<const char*, Json>> members) {
+  Json json = Json::object();
+  for (const auto& [key, value] : members) json.set(key, value);
+  return json;
+}
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json toJson(const Timing& t) {
+  return object({{"median", t.median}, {"p95", t.p95}, {"p99", t.p99}, {"p999", t.p999}, {"max", t.max}});
+}
+
+Json toJson(const PartReport& part) {
+  Json couplings = Json::array();
+  for (const PartCoupling& c : part.couplings)
+    couplings.append(object({{"id", c.id}, {"part", c.part}, {"partId", c.partId}, {"springs", c.springs},
+                             {"stiffness", c.stiffness}}));
+  return object({{"id", part.id}, {"number", part.number}, {"name", part.name}, {"kind", part.rigid ? "rigid" : "soft"},
+                 {"renderTriangles", part.renderTriangles}, {"collisionTriangles", part.collisionTriangles},
+                 {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)}, {"couplings", couplings}});
+}
+
+Json toJson(const ContactCounts& c) {
+  Json json = object({{"rest", orNull(c.rest)}, {"mean", c.mean}, {"max", c.max}, {"activeMean", c.activeMean},
+                      {"activeMax", c.activeMax}, {"droppedMax", c.droppedMax}});
+  if (!c.rest) json.set("restReason", c.restReason);
+  return json;
+}
+
+Json toJson(const PaperSummary& p) {
+  return object({{"dNodeSteps", p.nodeSteps}, {"dObjectSteps", p.objectSteps}, {"lambdaMax", p.lambdaMax},
+                 {"cgIterationsMax", p.cgIterationsMax}, {"cgResidualMax", p.cgResidualMax},
+                 {"cgCappedSteps", p.cgCappedSteps}, {"outerIterationsMax", p.outerIterationsMax},
+                 {"outerIterationsMean", p.outerIterationsMean}, {"outerResidualMax", p.outerResidualMax},
+                 {"outerCappedSteps", p.outerCappedSteps}, {"divergedSteps", p.divergedSteps}});
+}
+
+Json toJson(const EffectReport& e) {
+  Json json = object({{"name", e.name}, {"state", e.state}, {"reason", e.reason}, {"ms", orNull(e.ms)}});
+  if (!e.timedWith.empty()) json.set("timedWith", e.timedWith);
+  return json;
+}
+
+Json toJson(const MarkReport& m) {
+  return object({{"name", m.name}, {"tool", m.tool}, {"part", m.part}, {"begin", m.begin}, {"end", m.end},
+                 {"seconds", m.seconds}, {"forceMaxN", m.forceMax}});
+}
+
+template <class T>
+Json listOf(const std::vector<T>& entries) {
+  Json list = Json::array();
+  for (const T& entry : entries) list.append(toJson(entry));
+  return list;
+}
+
+Json timesOf(const RunReport& r) {
+  Json ms = object({{"clock", "thread CPU time"}, {"step", toJson(r.step)}});
+  for (int s = 0; s < kStageCount; ++s) ms.set(stageName(static_cast<Stage>(s)), toJson(r.stages[s]));
+  ms.set("stepWall", toJson(r.stepWall));
+  return ms;
+}
+
+}  // namespace
+
+Timing timingOf(std::vector<float>& milliseconds) {
+  if (milliseconds.empty()) return {};
+  std::sort(milliseconds.begin(), milliseconds.end());
+  const auto rank = [&](double share) {
+    const double n = static_cast<double>(milliseconds.size());
+    const long index = std::lround(std::ceil(share * n)) - 1;
+    return static_cast<double>(milliseconds[std::clamp<long>(index, 0, static_cast<long>(milliseconds.size()) - 1)]);
+  };
+  return {rank(0.5), rank(0.95), rank(0.99), rank(0.999), milliseconds.back()};
+}
+
+std::vector<PartReport> partReports(const Model& model) {
+  std::vector<int> springs(model.joint.couplings.size(), 0);
+  std::vector<double> stiffness(model.joint.couplings.size(), 0.0);
+  for (const SpringView& spring : model.springs) {
+    ++springs[spring.coupling];
+    stiffness[spring.coupling] += spring.stiffness;
+  }
+  std::vector<PartReport> reports;
+  for (const Part& part : model.joint.parts) {
+    PartReport report;
+    report.id = part.id;
+    report.name = part.name;
+    report.number = part.number;
+    report.rigid = part.kind == PartKind::Rigid;
+    if (part.visual) report.renderTriangles = static_cast<int>(part.visual->triangles.size());
+    if (part.collision) report.collisionTriangles = static_cast<int>(part.collision->triangles.size());
+    if (part.volume) report.tetrahedra = static_cast<int>(part.volume->tets.size());
+    for (std::size_t c = 0; c < model.joint.couplings.size(); ++c) {
+      const Coupling& coupling = model.joint.couplings[c];
+      for (const auto& [here, there] : {std::pair(coupling.partA, coupling.partB), std::pair(coupling.partB, coupling.partA)}) {
+        if (here != part.id) continue;
+        const int other = findPart(model.joint, there);
+        report.couplings.push_back({coupling.id, other < 0 ? 0 : model.joint.parts[other].number, there, springs[c], stiffness[c]});
+      }
+    }
+    std::stable_sort(report.couplings.begin(), report.couplings.end(),
+                     [](const PartCoupling& a, const PartCoupling& b) { return a.part < b.part; });
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+std::string toJson(const RunReport& r) {
+  Json json = object(
+      {{"schemaVersion", 1}, {"scenario", r.scenario}, {"profile", r.profile}, {"dt", r.dt}, {"steps", r.steps},
+       {"seconds", r.seconds}, {"build", r.build}, {"isa", r.isa}, {"seed", r.seed}, {"threads", r.threads},
+       {"realtime", r.realtime}, {"finite", r.finite}, {"diverged", r.diverged}, {"rejectedSteps", r.rejectedSteps},
+       {"stepsPerSecond", r.stepsPerSecond}, {"stepsPerCpuSecond", r.stepsPerCpuSecond},
+       {"residual", r.residual}, {"complementarity", r.complementarity},
+       {"pivotsExhausted", r.pivotsExhausted}, {"jointHash", r.jointHash}, {"stateHash", r.stateHash},
+       {"parts", listOf(r.parts)},
+       {"islands", object({{"coupling", r.couplingIslands}, {"contactMax", r.contactIslandsMax}})},
+       {"contacts", toJson(r.contacts)}, {"ms", timesOf(r)}, {"penetrationMax", r.penetrationMax},
+       {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},
+       {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}});
+  if (r.paper) json.set("paper", toJson(*r.paper));
+  if (r.pace) {
+    json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},
+                             {"latenessMaxMs", r.pace->latenessMaxMs}, {"slowedSeconds", r.pace->slowedSeconds}}));
+    // The haptic thread does not exist yet, and a figure nobody measured is worse than none.
+    json.set("haptic", Json());
+    json.set("hapticReason", "not-built");
+  }
+  return toText(json);
+}
+
+const char* profileName(Profile profile) {
+  switch (profile) {
+    case Profile::Paper: return "paper";
+    case Profile::Direct: return "direct";
+    case Profile::Reference: return "reference";
+  }
+  return "";
+}
+
+std::optional<Profile> profileNamed(const std::string& name) {
+  for (const Profile profile : {Profile::Paper, Profile::Direct, Profile::Reference})
+    if (name == profileName(profile)) return profile;
+  return std::nullopt;
+}
+
+}  // namespace glenoid

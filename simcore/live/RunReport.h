@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simcore/step/Stepper.h"
+
+namespace glenoid {
+
+/// Distribution of a time over the steps of a run, ms. Percentiles by nearest rank.
+struct Timing {
+  double median = 0, p95 = 0, p99 = 0, p999 = 0, max = 0;
+};
+
+/// Nearest-rank percentiles of the values; they are sorted in place. All zero when there is none.
+Timing timingOf(std::vector<float>& milliseconds);
+
+/// One coupling as a part sees it.
+struct PartCoupling {
+  std::string id;         ///< of the coupling
+  int part = 0;           ///< number of the part at the other end
+  std::string partId;     ///< its id
+  int springs = 0;        ///< derived when the scenario was compiled
+  double stiffness = 0;   ///< N/m, all springs together
+};
+
+struct PartReport {
+  std::string id, name;
+  int number = 0;
+  bool rigid = true;
+  int renderTriangles = 0, collisionTriangles = 0;
+  int tetrahedra = 0;     ///< soft parts
+  std::vector<PartCoupling> couplings;
+};
+
+/// One effect over the run. `ms` only where the effect has stages of its own; otherwise it is part of a stage
+/// that several effects share, and `timedWith` names that stage.
+struct EffectReport {
+  std::string name, state, reason;  ///< state: "off" or "on"; reason: word of EffectPlan
+  std::optional<double> ms;         ///< median thread CPU time of a step
+  std::string timedWith;
+};
+
+/// What a tool did to a part during a mark of the recording.
+struct MarkReport {
+  std::string name, tool, part;
+  double begin = 0, end = 0;  ///< s
+  double seconds = 0;         ///< s during which the net contact force was at least 1 N
+  double forceMax = 0;        ///< N
+};
+
+/// Contacts over the steps; words as in the README of this folder.
+struct ContactCounts {
+  std::optional<double> rest;  ///< mean at rest; nothing when the run has no such window
+  std::string restReason;      ///< why not
+  double mean = 0, activeMean = 0;
+  int max = 0, activeMax = 0;
+  int droppedMax = 0;          ///< rows that nothing can move
+};
+
+/// How the splitting of the `paper` profile went over the run.
+struct PaperSummary {
+  long nodeSteps = 0, objectSteps = 0;  ///< steps with contact in which D held these blocks
+  double lambdaMax = 0;
+  int cgIterationsMax = 0, outerIterationsMax = 0;
+  double cgResidualMax = 0, outerResidualMax = 0, outerIterationsMean = 0;
+  long cgCappedSteps = 0, outerCappedSteps = 0, divergedSteps = 0;
+};
+
+/// With `--realtime`: how the clock was kept. A late simulation catches up by a bounded number of steps.
+struct PaceReport {
+  double wallSeconds = 0;
+  long lateSteps = 0;          ///< begun more than one step late
+  double latenessMaxMs = 0;
+  double slowedSeconds = 0;    ///< s that the run gave up catching up with
+};
+
+/// Everything a run tells. SI units, times in ms where the name says so.
+struct RunReport {
+  std::string scenario, profile, build, isa, jointHash, stateHash;
+  double dt = 0, seconds = 0;
+  long steps = 0, rejectedSteps = 0;
+  unsigned seed = 1;
+  int threads = 1;
+  bool finite = true, diverged = false, realtime = false;
+  double stepsPerSecond = 0;      ///< wall time inside the step alone
+  double stepsPerCpuSecond = 0;   ///< the same by thread CPU time: what a machine that others use too can promise
+  double residual = 0;            ///< worst of all steps
+  double complementarity = 0;     ///< worst of all steps, m/s
+  long pivotsExhausted = 0;
+  std::vector<PartReport> parts;
+  int couplingIslands = 0, contactIslandsMax = 0;
+  ContactCounts contacts;
+  Timing step, stepWall;                     ///< CPU and wall
+  std::array<Timing, kStageCount> stages{};  ///< CPU
+  double penetrationMax = 0;                 ///< m, collision surfaces, every step
+  std::string penetrationPair;               ///< "a / b" where it was found
+  std::optional<double> visualPenetrationMax;  ///< m, visual surfaces, every visualPenetrationEvery steps
+  int visualPenetrationEvery = 0;
+  std::vector<EffectReport> effects;
+  std::vector<MarkReport> marks;
+  std::optional<PaperSummary> paper;         ///< `paper` profile only
+  std::optional<PaceReport> pace;            ///< `--realtime` only
+};
+
+/// The parts of a model as reports and tables show them.
+std::vector<PartReport> partReports(const Model& model);
+
+/// Indented JSON that resources/schemas/run-report.schema.json describes; ends with a line break.
+std::string toJson(const RunReport& report);
+
+/// "direct", "paper", "reference".
+const char* profileName(Profile profile);
+std::optional<Profile> profileNamed(const std::string& name);
+
+}  // namespace glenoid

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/live/SimulationThread.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "simcore/live/CarryState.h"
+#include "simcore/live/StepClock.h"
+#include "simcore/live/RateWindow.h"
+
+namespace glenoid {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::time_point time) { return std::chrono::duration<double>(time.time_since_epoch()).count(); }
+
+Clock::time_point timePoint(double seconds) {
+  return Clock::time_point(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+}
+
+struct SetModel {
+  std::shared_ptr<const Model> model;
+  StepperOptions options;
+  bool carry;
+};
+struct SetRecording {
+  std::shared_ptr<const Recording> recording;
+};
+enum class Order { Play, Pause, StepOnce, Reset, Quit };
+using Command = std::variant<SetModel, SetRecording, Order>;
+
+}  // namespace
+
+// Everything below `commands` belongs to the simulation thread once that runs; `thread` is last, so that all is there.
+struct SimulationThread::Run {
+  TripleBuffer<Snapshot>& snapshots;
+  TripleBuffer<std::vector<HandWish>>& wishes;
+  StepMaker maker;
+
+  std::mutex mutex;
+  std::condition_variable wake;
+  std::deque<Command> commands;  // under mutex
+
+  std::shared_ptr<const Model> model;
+  std::shared_ptr<const Recording> recording;
+  StepFunction stepFunction;
+  State state;
+  Inputs inputs;
+  StepReport report;
+  HandInput hands;
+  StepClock clock;
+  RateWindow window;
+  bool playing = false, quit = false;
+  long rejectedSteps = 0;
+  std::thread thread;
+
+  Run(TripleBuffer<Snapshot>& s, TripleBuffer<std::vector<HandWish>>& w, StepMaker m)
+      : snapshots(s), wishes(w), maker(std::move(m)), thread([this] { loop(); }) {}
+
+  void send(Command command) {
+    {
+      const std::lock_guard lock(mutex);
+      commands.push_back(std::move(command));
+    }
+    wake.notify_one();
+  }
+
+  bool runs() const { return playing && model != nullptr; }
+
+  std::deque<Command> waitForWork() {
+    std::unique_lock lock(mutex);
+    const auto told = [this] { return !commands.empty(); };
+    if (runs()) {
+      wake.wait_until(lock, timePoint(clock.nextDue()), told);
+    } else {
+      wake.wait(lock, told);
+    }
+    return std::exchange(commands, {});
+  }
+
+  void loop() {
+    while (!quit) {
+      for (Command& command : waitForWork()) {
+        std::visit([this](auto& what) { apply(what); }, command);
+        publish();
+      }
+      if (!runs() || quit) continue;
+      // Commands that come in between wait for at most this bounded number of steps.
+      for (int due = clock.stepsDue(seconds(Clock::now())); due > 0; --due) stepAndPublish();
+    }
+  }
+
+  void apply(SetModel& set) {
+    const bool carry = set.carry && model != nullptr && set.model != nullptr;
+    if (set.model) {
+      state = carry ? carryState(*model, state, *set.model) : set.model->start;
+      if (carry) {
+        hands.change(set.model->scenario, recording);
+      } else {
+        hands.restart(set.model->scenario, recording);
+      }
+      stepFunction = maker(set.model, set.options);
+    } else {
+      playing = false;
+    }
+    model = std::move(set.model);
+    report = {};
+    if (!carry) rejectedSteps = 0;
+    startClock();
+  }
+
+  void apply(SetRecording& set) {
+    recording = std::move(set.recording);
+    if (model) hands.change(model->scenario, recording);
+  }
+
+  void apply(Order order) {
+    switch (order) {
+      case Order::Play:
+        playing = model != nullptr;
+        startClock();
+        break;
+      case Order::Pause: playing = false; break;
+      case Order::StepOnce:
+        playing = false;
+        if (model) takeStep();
+        break;
+      case Order::Reset:
+        if (!model) break;
+        state = model->start;
+        hands.restart(model->scenario, recording);
+        report = {};
+        rejectedSteps = 0;
+        startClock();
+        break;
+      case Order::Quit: quit = true; break;
+    }
+  }
+
+  void startClock() {
+    if (!model) return;
+    clock.restart(seconds(Clock::now()), model->scenario.dt);
+    window.restart(seconds(Clock::now()));
+  }
+
+  void takeStep() {
+    wishes.take();
+    inputs.hands = hands.advance(wishes.front(), state.time + model->scenario.dt, model->scenario.dt);
+    const double begin = seconds(Clock::now());
+    report = stepFunction(inputs, state);
+    const double end = seconds(Clock::now());
+    if (!report.taken) ++rejectedSteps;
+    window.add(end, end - begin);
+  }
+
+  void stepAndPublish() {
+    takeStep();
+    publish();
+  }
+
+  void publish() {
+    Snapshot& out = snapshots.back();
+    out.model = model;
+    if (model) out.q = state.q;
+    out.time = state.time;
+    out.step = state.step;
+    out.playing = runs();
+    out.report = report;
+    out.hands = hands.hands();
+    out.rates.stepsPerSecond = window.stepsPerSecond();
+    out.rates.msPerStep = 1e3 * window.secondsPerStep();
+    out.rates.realTimeFactor = model ? window.stepsPerSecond() * model->scenario.dt : 0;
+    out.rates.forgiven = clock.forgiven();
+    out.rejectedSteps = rejectedSteps;
+    snapshots.publish();
+  }
+};
+
+SimulationThread::SimulationThread(StepMaker maker)
+    : m_run(std::make_unique<Run>(m_snapshots, m_hands, std::move(maker))) {}
+
+SimulationThread::~SimulationThread() {
+  m_run->send(Order::Quit);
+  m_run->thread.join();
+}
+
+void SimulationThread::setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry) {
+  m_run->send(SetModel{std::move(model), options, carry});
+}
+
+void SimulationThread::setRecording(std::shared_ptr<const Recording> recording) {
+  m_run->send(SetRecording{std::move(recording)});
+}
+
+void SimulationThread::play() { m_run->send(Order::Play); }
+void SimulationThread::pause() { m_run->send(Order::Pause); }
+void SimulationThread::stepOnce() { m_run->send(Order::StepOnce); }
+void SimulationThread::reset() { m_run->send(Order::Reset); }
+
+void SimulationThread::setHands(const std::vector<HandWish>& wishes) {
+  m_hands.back() = wishes;
+  m_hands.publish();
+}
+
+}  // namespace glenoid

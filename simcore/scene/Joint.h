@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "simcore/scene/Material.h"
+#include "simcore/scene/Part.h"
+
+namespace glenoid {
+
+/// Zero-length springs between part `a`, over one of its regions, and part `b`. Springs are derived when a
+/// scenario is compiled, so the coupling survives another cell size and its total stiffness does not depend
+/// on the mesh: total k = stiffnessPerArea × area of the region at rest.
+struct Coupling {
+  std::string id;                ///< slug, unique in the joint
+  std::string partA, partB;      ///< ids
+  std::string regionA;           ///< region of part A
+  double stiffnessPerArea = 0;   ///< N/m per m², > 0
+  double damping = 0;            ///< s: spring damping coefficient per stiffness (c = damping · k)
+  bool operator==(const Coupling&) const = default;
+};
+
+/// Two parts whose surfaces are not tested against each other, and why.
+struct Exclusion {
+  std::string partA, partB;  ///< ids
+  std::string reason;        ///< a sentence for people
+  bool operator==(const Exclusion&) const = default;
+};
+
+/// Where a joint comes from and under which terms it may be used.
+struct Provenance {
+  std::string author, license, source, made;  ///< `made`: ISO date or program name
+  bool operator==(const Provenance&) const = default;
+};
+
+/// What an author made. Values only: ids refer, nothing points. Frame W: X anterior, Y superior, Z lateral
+/// of a right shoulder, origin at the humeral head centre; metres.
+struct Joint {
+  std::string id;    ///< slug
+  std::string name;  ///< shown to people
+  std::vector<Material> materials;
+  std::vector<Part> parts;  ///< ascending by number
+  std::vector<Coupling> couplings;
+  std::vector<Exclusion> exclusions;
+  Provenance provenance;
+};
+
+/// Position in the vector or −1.
+int findPart(const Joint& joint, const std::string& id);
+int findMaterial(const Joint& joint, const std::string& id);
+const Region* findRegion(const Part& part, const std::string& id);
+
+/// Triangle indices of a region, ascending.
+std::vector<int> trianglesOf(const Region& region);
+
+/// Runs that hold exactly these triangles (sorted and made unique first).
+std::vector<TriangleRun> runsOf(std::vector<int> triangles);
+
+/// Area of the region at rest, m².
+double areaOf(const Part& part, const Region& region);
+
+}  // namespace glenoid

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/scene/JointFile.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "simcore/file/AtomicWrite.h"
+#include "simcore/file/Ply.h"
+#include "simcore/file/Schema.h"
+#include "simcore/file/Vtk.h"
+#include "simcore/scene/JointCheck.h"
+#include "simcore/scene/SceneJson.h"
+
+namespace glenoid {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace scene_json;
+
+constexpr const char* kMeshMembers[] = {"visual", "collision", "volume"};
+
+std::string jsonPath(const std::string& folder) {
+  return (fs::path(folder) / "joint.json").string();
+}
+
+template <class Mesh>
+std::string meshName(const std::shared_ptr<const Mesh>& mesh, const char* ending) {
+  return "meshes/" + (mesh ? toHex(contentHash(*mesh)) : std::string("none")) + ending;
+}
+
+JsonValue fromPart(const Part& part) {
+  JsonValue json = JsonValue::object();
+  json.set("id", part.id);
+  json.set("number", part.number);
+  json.set("name", part.name);
+  json.set("kind", part.kind == PartKind::Rigid ? "rigid" : "soft");
+  json.set("color", fromColor(part.color));
+  json.set("visual", meshName(part.visual, ".ply"));
+  json.set("collision", meshName(part.collision, ".ply"));
+  if (part.volume) json.set("volume", meshName(part.volume, ".vtk"));
+  if (part.cellSize != 0) json.set("cellSize", part.cellSize);
+  json.set("materials", listOf(part.materials, fromMaterialUse));
+  json.set("regions", listOf(part.regions, fromRegion));
+  json.set("landmarks", listOf(part.landmarks, fromLandmark));
+  return json;
+}
+
+/// Everything but the meshes.
+Part toPart(const JsonValue& json) {
+  Part part;
+  part.id = json["id"].text();
+  part.number = static_cast<int>(json["number"].integer());
+  part.name = json["name"].text();
+  part.kind = json["kind"].text() == "rigid" ? PartKind::Rigid : PartKind::Soft;
+  if (json.find("color")) part.color = toColor(json["color"]);
+  part.cellSize = json["cellSize"].number();
+  part.materials = vectorOf(json["materials"], toMaterialUse);
+  part.regions = vectorOf(json["regions"], toRegion);
+  part.landmarks = vectorOf(json["landmarks"], toLandmark);
+  return part;
+}
+
+void sortParts(Joint& joint) {
+  std::stable_sort(joint.parts.begin(), joint.parts.end(),
+                   [](const Part& a, const Part& b) { return a.number < b.number; });
+}
+
+JsonValue fromJoint(const Joint& joint) {
+  JsonValue json = JsonValue::object();
+  json.set("schemaVersion", schemaVersion(Schema::Joint));
+  json.set("id", joint.id);
+  json.set("name", joint.name);
+  json.set("provenance", fromProvenance(joint.provenance));
+  json.set("materials", listOf(joint.materials, fromMaterial));
+  json.set("parts", listOf(joint.parts, fromPart));
+  json.set("couplings", listOf(joint.couplings, fromCoupling));
+  json.set("exclusions", listOf(joint.exclusions, fromExclusion));
+  return json;
+}
+
+Joint toJoint(const JsonValue& json) {
+  Joint joint;
+  joint.id = json["id"].text();
+  joint.name = json["name"].text();
+  joint.materials = vectorOf(json["materials"], toMaterial);
+  joint.parts = vectorOf(json["parts"], toPart);
+  joint.couplings = vectorOf(json["couplings"], toCoupling);
+  joint.exclusions = vectorOf(json["exclusions"], toExclusion);
+  joint.provenance = toProvenance(json["provenance"]);
+  return joint;
+}
+
+/// Loads each mesh file once, however many parts show it.
+class MeshStore {
+ public:
+  MeshStore(const std::string& folder, const std::string& json) : m_folder(folder), m_json(json) {}
+
+  Result<std::shared_ptr<const TriMesh>> surface(const std::string& name, const std::string& pointer,
+                                                 const std::string& part) {
+    return load(name, ".ply", pointer, part, m_surfaces,
+                [](const std::string& path) { return readPly(path); });
+  }
+  Result<std::shared_ptr<const TetMesh>> volume(const std::string& name, const std::string& pointer,
+                                                const std::string& part) {
+    return load(name, ".vtk", pointer, part, m_volumes, readVtk);
+  }
+
+ private:
+  template <class Mesh, class Reader>
+  Result<std::shared_ptr<const Mesh>> load(const std::string& name, const char* ending,
+                                           const std::string& pointer, const std::string& part,
+                                           std::map<std::string, std::shared_ptr<const Mesh>>& known,
+                                           Reader&& reader) {
+    const fs::path relative(name);
+    if (!staysInside(name) || relative.extension() != ending)
+      return Error{Fault::BadReference, {m_json, pointer, part, {}}, {name}, {}};
+    if (const auto found = known.find(name); found != known.end()) return found->second;
+    const std::string path = (fs::path(m_folder) / relative).string();
+    Result<Mesh> mesh = reader(path);
+    if (!mesh) {
+      mesh.error().place.part = part;
+      return mesh.error();
+    }
+    const std::string found = toHex(contentHash(*mesh)), named = relative.stem().string();
+    if (found != named) return Error{Fault::HashMismatch, {path, {}, part, {}}, {found, named}, {}};
+    return known[name] = std::make_shared<const Mesh>(std::move(*mesh));
+  }
+
+  const std::string& m_folder;
+  const std::string& m_json;
+  std::map<std::string, std::shared_ptr<const TriMesh>> m_surfaces;
+  std::map<std::string, std::shared_ptr<const TetMesh>> m_volumes;
+};
+
+Result<Done> loadMeshes(const JsonValue& json, const std::string& folder, const std::string& file,
+                        Joint& joint) {
+  MeshStore store(folder, file);
+  for (std::size_t i = 0; i < joint.parts.size(); ++i) {
+    Part& part = joint.parts[i];
+    const JsonValue& from = json["parts"][i];
+    const std::string pointer = pointerTo("/parts", i);
+    auto visual = store.surface(from["visual"].text(), pointerTo(pointer, "visual"), part.id);
+    if (!visual) return visual.error();
+    part.visual = std::move(*visual);
+    auto collision = store.surface(from["collision"].text(), pointerTo(pointer, "collision"), part.id);
+    if (!collision) return collision.error();
+    part.collision = std::move(*collision);
+    if (!from.find("volume")) continue;
+    auto volume = store.volume(from["volume"].text(), pointerTo(pointer, "volume"), part.id);
+    if (!volume) return volume.error();
+    part.volume = std::move(*volume);
+  }
+  return Done{};
+}
+
+/// Mesh files that a joint.json names, whatever else may be wrong with it.
+std::set<std::string> meshesNamedBy(const JsonValue& json) {
+  std::set<std::string> names;
+  for (const JsonValue& part : json["parts"].items())
+    for (const char* member : kMeshMembers) {
+      const std::string& name = part[member].text();
+      const fs::path path(name);
+      if (path.parent_path() == "meshes" && path.stem().string().size() == 32) names.insert(name);
+    }
+  return names;
+}
+
+Error folderFault(Fault fault, const std::string& folder, const std::error_code& why) {
+  return {fault, {folder, {}, {}, {}}, {}, why.message()};
+}
+
+Result<Done> makeFolder(const std::string& folder) {
+  std::error_code failed;
+  if (fs::is_directory(folder, failed)) return Done{};
+  fs::create_directory(folder, failed);
+  if (!failed && fs::is_directory(folder)) return Done{};
+  const bool missing = failed == std::errc::no_such_file_or_directory;
+  return folderFault(missing ? Fault::FileMissing : Fault::FileUnwritable, folder, failed);
+}
+
+/// A blob of this name may be there already; it is left alone when it is what its name says.
+template <class Mesh, class Reader, class Writer>
+Result<Done> saveMesh(const std::shared_ptr<const Mesh>& mesh, const fs::path& path, Reader&& reader,
+                      Writer&& writer) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored))
+    if (const auto there = reader(path.string()); there && contentHash(*there) == contentHash(*mesh))
+      return Done{};
+  return writer(path.string(), *mesh);
+}
+
+Result<Done> saveMeshes(const Joint& joint, const std::string& folder) {
+  const auto surface = [&](const std::shared_ptr<const TriMesh>& mesh) {
+    return saveMesh(
+        mesh, fs::path(folder) / meshName(mesh, ".ply"),
+        [](const std::string& path) { return readPly(path); }, writePly);
+  };
+  const auto volume = [&](const std::shared_ptr<const TetMesh>& mesh) {
+    return saveMesh(mesh, fs::path(folder) / meshName(mesh, ".vtk"), readVtk,
+                    [](const std::string& path, const TetMesh& tets) { return writeVtk(path, tets); });
+  };
+  for (const Part& part : joint.parts) {
+    if (const auto saved = surface(part.visual); !saved) return saved;
+    if (const auto saved = surface(part.collision); !saved) return saved;
+    if (!part.volume) continue;
+    if (const auto saved = volume(part.volume); !saved) return saved;
+  }
+  return Done{};
+}
+
+Result<Done> checkSorted(const Joint& joint, const JsonValue& json, const std::string& file) {
+  if (const auto pointer = notFiniteIn(json))
+    return Error{Fault::NotFinite, {file, *pointer, {}, {}}, {}, {}};
+  if (const auto valid = validate(json, Schema::Joint, file); !valid) return valid;
+  if (const auto values = joint_check::checkValues(joint, file); !values) return values;
+  return joint_check::checkMeshes(joint, file);
+}
+
+}  // namespace
+
+Result<Joint> loadJoint(const std::string& folder) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(folder, failed);
+  if (!fs::exists(status)) return folderFault(Fault::FileMissing, folder, failed);
+  if (!fs::is_directory(status))
+    return folderFault(Fault::FileUnreadable, folder, std::make_error_code(std::errc::not_a_directory));
+  const std::string file = jsonPath(folder);
+  const Result<JsonValue> json = readDocument(file, Schema::Joint);
+  if (!json) return json.error();
+  Joint joint = toJoint(*json);
+  if (const auto values = joint_check::checkValues(joint, file); !values) return values.error();
+  if (const auto meshes = loadMeshes(*json, folder, file, joint); !meshes) return meshes.error();
+  if (const auto meshes = joint_check::checkMeshes(joint, file); !meshes) return meshes.error();
+  sortParts(joint);
+  return joint;
+}
+
+Result<Done> saveJoint(const Joint& unsorted, const std::string& folder) {
+  Joint joint = unsorted;
+  sortParts(joint);
+  const std::string file = jsonPath(folder);
+  const JsonValue json = fromJoint(joint);
+  if (const auto good = checkSorted(joint, json, file); !good) return good;
+  if (const auto made = makeFolder(folder); !made) return made;
+  if (const auto made = makeFolder((fs::path(folder) / "meshes").string()); !made) return made;
+  std::set<std::string> superseded;
+  if (const Result<JsonValue> before = readJson(file)) superseded = meshesNamedBy(*before);
+  if (const auto saved = saveMeshes(joint, folder); !saved) return saved;
+  if (const auto saved = writeJson(file, json); !saved) return saved;
+  for (const std::string& name : meshesNamedBy(json)) superseded.erase(name);
+  std::error_code ignored;  // the save has happened; what is left over does no harm
+  for (const std::string& name : superseded) fs::remove(fs::path(folder) / name, ignored);
+  return Done{};
+}
+
+Result<Done> checkJoint(const Joint& unsorted, const std::string& file) {
+  Joint joint = unsorted;
+  sortParts(joint);
+  return checkSorted(joint, fromJoint(joint), file);
+}
+
+std::string jointHash(const Joint& unsorted) {
+  Joint joint = unsorted;
+  sortParts(joint);
+  const std::string text = toText(fromJoint(joint));
+  return toHex(hashBytes(text.data(), text.size()));
+}
+
+}  // namespace glenoid

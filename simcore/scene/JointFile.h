@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "simcore/base/Error.h"
+#include "simcore/scene/Joint.h"
+
+namespace glenoid {
+
+/// A joint on disk is the folder NAME.joint with joint.json and meshes/, whose files are named by content hash
+/// (surfaces .ply, volumes .vtk). A mesh that several parts share is stored and loaded once.
+
+/// Reads and checks all of it. Fails as readDocument, readPly and readVtk do and with DuplicateId, UnknownId
+/// (arguments: id, kind), OutOfRange, BadReference (a mesh name that leaves the folder), HashMismatch (arguments:
+/// found, named), BadMesh (a rigid part with a volume, a soft one without) or BadIndex (a region beyond its surface).
+Result<Joint> loadJoint(const std::string& folder);
+
+/// Writes new meshes first, joint.json last, so that a save happened or it did not; then removes the mesh files that
+/// only an older joint.json named. Other files in the folder stay. Makes the folder when its parent exists.
+/// Fails as checkJoint does, before anything is written, and with FileMissing or FileUnwritable.
+Result<Done> saveJoint(const Joint& joint, const std::string& folder);
+
+/// What loadJoint asks of values and references, for a joint in memory; `file` only names it in errors. Pointers are
+/// those of the joint.json it would become.
+Result<Done> checkJoint(const Joint& joint, const std::string& file);
+
+/// 32 hexadecimal digits over every value and every mesh of the joint: the same for a joint and its reloaded copy.
+/// A mesh that is missing counts as such. Not for joints with numbers that are not finite.
+std::string jointHash(const Joint& joint);
+
+}  // namespace glenoid

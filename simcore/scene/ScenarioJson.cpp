@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/scene/ScenarioJson.h"
+
+#include "simcore/file/Schema.h"
+#include "simcore/scene/SceneJson.h"
+#include "simcore/scene/SceneWords.h"
+
+namespace glenoid::scene_json {
+namespace {
+
+using namespace scene_words;
+
+JsonValue fromHold(const Hold& hold) {
+  JsonValue json = JsonValue::object();
+  json.set("part", hold.part);
+  json.set("stiffness", hold.stiffness);
+  json.set("angularStiffness", hold.angularStiffness);
+  json.set("damping", hold.damping);
+  return json;
+}
+
+Hold toHold(const JsonValue& json) {
+  Hold hold;
+  hold.part = json["part"].text();
+  hold.stiffness = json["stiffness"].number(hold.stiffness);
+  hold.angularStiffness = json["angularStiffness"].number(hold.angularStiffness);
+  hold.damping = json["damping"].number(hold.damping);
+  return hold;
+}
+
+JsonValue fromTool(const Tool& tool) {
+  JsonValue json = JsonValue::object();
+  json.set("id", tool.id);
+  json.set("name", tool.name);
+  json.set("kind", wordOf(kToolKinds, tool.kind));
+  json.set("length", tool.length);
+  json.set("radius", tool.radius);
+  json.set("mass", tool.mass);
+  json.set("stiffness", tool.stiffness);
+  json.set("angularStiffness", tool.angularStiffness);
+  json.set("dampingRatio", tool.dampingRatio);
+  json.set("forceMax", tool.forceMax);
+  json.set("home", fromPose(tool.home));
+  json.set("perforates", fromTexts(tool.perforates));
+  return json;
+}
+
+Tool toTool(const JsonValue& json) {
+  Tool tool;
+  tool.id = json["id"].text();
+  tool.name = json["name"].text();
+  tool.kind = valueOf(kToolKinds, json["kind"].text(), tool.kind);
+  tool.length = json["length"].number(tool.length);
+  tool.radius = json["radius"].number(tool.radius);
+  tool.mass = json["mass"].number(tool.mass);
+  tool.stiffness = json["stiffness"].number(tool.stiffness);
+  tool.angularStiffness = json["angularStiffness"].number(tool.angularStiffness);
+  tool.dampingRatio = json["dampingRatio"].number(tool.dampingRatio);
+  tool.forceMax = json["forceMax"].number(tool.forceMax);
+  tool.home = toPose(json["home"]);
+  tool.perforates = toTexts(json["perforates"]);
+  return tool;
+}
+
+JsonValue fromCamera(const Camera& camera) {
+  JsonValue json = JsonValue::object();
+  json.set("id", camera.id);
+  json.set("name", camera.name);
+  json.set("eye", fromVec3(camera.eye_W));
+  json.set("target", fromVec3(camera.target_W));
+  json.set("up", fromVec3(camera.up_W));
+  json.set("fieldOfView", camera.fieldOfView);
+  return json;
+}
+
+Camera toCamera(const JsonValue& json) {
+  Camera camera;
+  camera.id = json["id"].text();
+  camera.name = json["name"].text();
+  camera.eye_W = toVec3(json["eye"], camera.eye_W);
+  camera.target_W = toVec3(json["target"], camera.target_W);
+  camera.up_W = toVec3(json["up"], camera.up_W);
+  camera.fieldOfView = json["fieldOfView"].number(camera.fieldOfView);
+  return camera;
+}
+
+}  // namespace
+
+JsonValue fromScenario(const Scenario& scenario) {
+  JsonValue json = JsonValue::object();
+  json.set("schemaVersion", schemaVersion(Schema::Scenario));
+  json.set("id", scenario.id);
+  json.set("name", scenario.name);
+  json.set("description", scenario.description);
+  json.set("joint", scenario.joint);
+  json.set("dt", scenario.dt);
+  json.set("gravity", fromVec3(scenario.gravity_W));
+  json.set("profile", wordOf(kProfiles, scenario.profile));
+  json.set("contactDistance", scenario.contactDistance);
+  json.set("recoverySpeedMax", scenario.recoverySpeedMax);
+  json.set("fixedParts", fromTexts(scenario.fixedParts));
+  json.set("holds", listOf(scenario.holds, fromHold));
+  json.set("tools", listOf(scenario.tools, fromTool));
+  JsonValue effects = JsonValue::object();
+  for (const EffectWord& effect : kEffects)
+    effects.set(effect.word, wordOf(kWishes, scenario.effects.*effect.wish));
+  json.set("effects", std::move(effects));
+  json.set("cameras", listOf(scenario.cameras, fromCamera));
+  json.set("input", scenario.input);
+  json.set("seed", scenario.seed);
+  return json;
+}
+
+Scenario toScenario(const JsonValue& json) {
+  Scenario scenario;
+  scenario.id = json["id"].text();
+  scenario.name = json["name"].text();
+  scenario.description = json["description"].text();
+  scenario.joint = json["joint"].text();
+  scenario.dt = json["dt"].number(scenario.dt);
+  scenario.gravity_W = toVec3(json["gravity"], scenario.gravity_W);
+  scenario.profile = valueOf(kProfiles, json["profile"].text(), scenario.profile);
+  scenario.contactDistance = json["contactDistance"].number(scenario.contactDistance);
+  scenario.recoverySpeedMax = json["recoverySpeedMax"].number(scenario.recoverySpeedMax);
+  scenario.fixedParts = toTexts(json["fixedParts"]);
+  scenario.holds = vectorOf(json["holds"], toHold);
+  scenario.tools = vectorOf(json["tools"], toTool);
+  for (const EffectWord& effect : kEffects) {
+    Wish& wish = scenario.effects.*effect.wish;
+    wish = valueOf(kWishes, json["effects"][effect.word].text(), wish);
+  }
+  scenario.cameras = vectorOf(json["cameras"], toCamera);
+  scenario.input = json["input"].text();
+  scenario.seed = static_cast<unsigned>(json["seed"].integer(scenario.seed));
+  return scenario;
+}
+
+}  // namespace glenoid::scene_json

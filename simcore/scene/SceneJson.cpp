@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/scene/SceneJson.h"
+
+#include <charconv>
+#include <filesystem>
+
+namespace glenoid::scene_json {
+namespace {
+
+/// Members that say nothing are left out, so that a file shows what was meant.
+void setText(JsonValue& json, const char* key, const std::string& text) {
+  if (!text.empty()) json.set(key, text);
+}
+
+/// The shortest decimal that is this float, not the long one of its double.
+double plainDouble(float value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+  double plain = value;
+  std::from_chars(digits, end, plain);
+  return plain;
+}
+
+}  // namespace
+
+JsonValue fromVec3(const Vec3& x) {
+  JsonValue json = JsonValue::array();
+  for (const double value : x) json.append(value);
+  return json;
+}
+
+Vec3 toVec3(const JsonValue& json, const Vec3& otherwise) {
+  if (json.items().size() != 3) return otherwise;
+  return {json[0].number(), json[1].number(), json[2].number()};
+}
+
+JsonValue fromPose(const Pose& pose) {
+  JsonValue json = JsonValue::object();
+  json.set("position", fromVec3(pose.p_WB));
+  JsonValue rotation = JsonValue::array();
+  for (const double value : pose.q_WB.coeffs()) rotation.append(value);  // x, y, z, w
+  json.set("rotation", std::move(rotation));
+  return json;
+}
+
+Pose toPose(const JsonValue& json) {
+  Pose pose;
+  pose.p_WB = toVec3(json["position"]);
+  const JsonValue& r = json["rotation"];
+  if (r.items().size() == 4) pose.q_WB = Quat(r[3].number(), r[0].number(), r[1].number(), r[2].number());
+  if (isUnit(pose.q_WB) && std::abs(pose.q_WB.norm() - 1) > 1e-12) pose.q_WB.normalize();
+  return pose;
+}
+
+bool isUnit(const Quat& q) {
+  return std::abs(q.norm() - 1) <= 1e-6;
+}
+
+JsonValue fromMaterial(const Material& material) {
+  JsonValue json = JsonValue::object();
+  json.set("id", material.id);
+  setText(json, "name", material.name);
+  json.set("density", material.density);
+  json.set("youngsModulus", material.youngsModulus);
+  json.set("poissonRatio", material.poissonRatio);
+  json.set("friction", material.friction);
+  json.set("massDamping", material.massDamping);
+  json.set("stiffnessDamping", material.stiffnessDamping);
+  if (material.literatureYoungsModulus)
+    json.set("literatureYoungsModulus", *material.literatureYoungsModulus);
+  setText(json, "reason", material.reason);
+  setText(json, "source", material.source);
+  return json;
+}
+
+Material toMaterial(const JsonValue& json) {
+  Material material;
+  material.id = json["id"].text();
+  material.name = json["name"].text();
+  material.density = json["density"].number(material.density);
+  material.youngsModulus = json["youngsModulus"].number(material.youngsModulus);
+  material.poissonRatio = json["poissonRatio"].number(material.poissonRatio);
+  material.friction = json["friction"].number(material.friction);
+  material.massDamping = json["massDamping"].number(material.massDamping);
+  material.stiffnessDamping = json["stiffnessDamping"].number(material.stiffnessDamping);
+  if (const JsonValue* value = json.find("literatureYoungsModulus"))
+    material.literatureYoungsModulus = value->number();
+  material.reason = json["reason"].text();
+  material.source = json["source"].text();
+  return material;
+}
+
+JsonValue fromMaterialUse(const MaterialUse& use) {
+  JsonValue json = JsonValue::object();
+  json.set("material", use.material);
+  setText(json, "region", use.region);
+  return json;
+}
+
+MaterialUse toMaterialUse(const JsonValue& json) {
+  return {json["material"].text(), json["region"].text()};
+}
+
+JsonValue fromRegion(const Region& region) {
+  JsonValue json = JsonValue::object();
+  json.set("id", region.id);
+  setText(json, "name", region.name);
+  setText(json, "kind", region.kind);
+  json.set("surface", region.surface == SurfaceKind::Visual ? "visual" : "collision");
+  json.set("triangles", listOf(region.triangles, [](const TriangleRun& run) {
+             JsonValue pair = JsonValue::array();
+             pair.append(run.first);
+             pair.append(run.count);
+             return pair;
+           }));
+  return json;
+}
+
+Region toRegion(const JsonValue& json) {
+  Region region;
+  region.id = json["id"].text();
+  region.name = json["name"].text();
+  region.kind = json["kind"].text();
+  region.surface = json["surface"].text() == "collision" ? SurfaceKind::Collision : SurfaceKind::Visual;
+  region.triangles = vectorOf(json["triangles"], [](const JsonValue& run) {
+    return TriangleRun{static_cast<int>(run[0].integer()), static_cast<int>(run[1].integer())};
+  });
+  return region;
+}
+
+JsonValue fromLandmark(const Landmark& landmark) {
+  JsonValue json = JsonValue::object();
+  json.set("id", landmark.id);
+  setText(json, "name", landmark.name);
+  json.set("position", fromVec3(landmark.position_W));
+  return json;
+}
+
+Landmark toLandmark(const JsonValue& json) {
+  return {json["id"].text(), json["name"].text(), toVec3(json["position"])};
+}
+
+JsonValue fromCoupling(const Coupling& coupling) {
+  JsonValue json = JsonValue::object();
+  json.set("id", coupling.id);
+  json.set("partA", coupling.partA);
+  json.set("regionA", coupling.regionA);
+  json.set("partB", coupling.partB);
+  json.set("stiffnessPerArea", coupling.stiffnessPerArea);
+  json.set("damping", coupling.damping);
+  return json;
+}
+
+Coupling toCoupling(const JsonValue& json) {
+  Coupling coupling;
+  coupling.id = json["id"].text();
+  coupling.partA = json["partA"].text();
+  coupling.partB = json["partB"].text();
+  coupling.regionA = json["regionA"].text();
+  coupling.stiffnessPerArea = json["stiffnessPerArea"].number();
+  coupling.damping = json["damping"].number(coupling.damping);
+  return coupling;
+}
+
+JsonValue fromExclusion(const Exclusion& exclusion) {
+  JsonValue json = JsonValue::object();
+  json.set("partA", exclusion.partA);
+  json.set("partB", exclusion.partB);
+  setText(json, "reason", exclusion.reason);
+  return json;
+}
+
+Exclusion toExclusion(const JsonValue& json) {
+  return {json["partA"].text(), json["partB"].text(), json["reason"].text()};
+}
+
+JsonValue fromProvenance(const Provenance& provenance) {
+  JsonValue json = JsonValue::object();
+  setText(json, "author", provenance.author);
+  setText(json, "license", provenance.license);
+  setText(json, "source", provenance.source);
+  setText(json, "made", provenance.made);
+  return json;
+}
+
+Provenance toProvenance(const JsonValue& json) {
+  return {json["author"].text(), json["license"].text(), json["source"].text(), json["made"].text()};
+}
+
+JsonValue fromColor(const std::array<float, 3>& color) {
+  JsonValue json = JsonValue::array();
+  for (const float channel : color) json.append(plainDouble(channel));
+  return json;
+}
+
+std::array<float, 3> toColor(const JsonValue& json) {
+  std::array<float, 3> color = Part{}.color;
+  for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(json[i].number(color[i]));
+  return color;
+}
+
+JsonValue fromTexts(const std::vector<std::string>& texts) {
+  return listOf(texts, [](const std::string& text) { return JsonValue(text); });
+}
+
+std::vector<std::string> toTexts(const JsonValue& json) {
+  return vectorOf(json, [](const JsonValue& item) { return item.text(); });
+}
+
+bool staysInside(const std::string& path) {
+  if (path.empty() || path.find('\\') != std::string::npos || path.find('\0') != std::string::npos)
+    return false;
+  const std::filesystem::path parts(path);
+  if (parts.is_absolute()) return false;
+  for (const auto& part : parts)
+    if (part == "..") return false;
+  return true;
+}
+
+}  // namespace glenoid::scene_json

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <string>
+
+#include "simcore/scene/Scenario.h"
+
+/// Words of the files for what is an enum in memory; shared by the files of this folder.
+namespace glenoid::scene_words {
+
+template <class Enum>
+struct Word {
+  Enum value;
+  const char* word;
+};
+
+inline constexpr std::array<Word<Profile>, 3> kProfiles{
+    {{Profile::Paper, "paper"}, {Profile::Direct, "direct"}, {Profile::Reference, "reference"}}};
+inline constexpr std::array<Word<Wish>, 3> kWishes{{{Wish::Auto, "auto"}, {Wish::On, "on"}, {Wish::Off, "off"}}};
+inline constexpr std::array<Word<ToolKind>, 3> kToolKinds{
+    {{ToolKind::Probe, "probe"}, {ToolKind::Arthroscope, "arthroscope"}, {ToolKind::Finger, "finger"}}};
+
+template <class Table, class Enum>
+const char* wordOf(const Table& table, Enum value) {
+  for (const auto& entry : table)
+    if (entry.value == value) return entry.word;
+  return "";
+}
+
+/// Documents that fit their schema hold no other word; an absent member leaves the default.
+template <class Table, class Enum>
+Enum valueOf(const Table& table, const std::string& word, Enum otherwise) {
+  for (const auto& entry : table)
+    if (word == entry.word) return entry.value;
+  return otherwise;
+}
+
+/// Name and member of every effect, in the order of the file.
+struct EffectWord {
+  const char* word;
+  Wish Effects::*wish;
+};
+inline constexpr std::array<EffectWord, 7> kEffects{{{"gravity", &Effects::gravity},
+                                                     {"couplings", &Effects::couplings},
+                                                     {"contact", &Effects::contact},
+                                                     {"selfContact", &Effects::selfContact},
+                                                     {"friction", &Effects::friction},
+                                                     {"damping", &Effects::damping},
+                                                     {"haptics", &Effects::haptics}}};
+
+}  // namespace glenoid::scene_words

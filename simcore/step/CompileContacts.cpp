@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "simcore/spatial/TriangleTree.h"
+#include "simcore/step/CompileObjects.h"
+
+namespace glenoid {
+
+namespace {
+
+constexpr double kCouplingMargin = 3e-3;  ///< m
+
+bool isExcluded(const Joint& joint, const std::string& a, const std::string& b) {
+  return std::any_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
+    return (e.partA == a && e.partB == b) || (e.partA == b && e.partB == a);
+  });
+}
+
+bool perforates(const Scenario& scenario, const SceneObject& tool, const SceneObject& other) {
+  if (!tool.tool || other.tool) return false;
+  const auto& parts = scenario.tools[tool.toolIndex].perforates;
+  return std::find(parts.begin(), parts.end(), other.id) != parts.end();
+}
+
+/// Marks the triangles of `surface` that lie within the margin of the region.
+void markNear(const TriMesh& surface, const TriMesh& region, std::vector<char>& skip) {
+  skip.resize(surface.triangles.size(), 0);
+  const TriangleTree regionTree(region), surfaceTree(surface);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& tri = surface.triangles[t];
+    const Vec3 &a = surface.vertices[tri[0]], &b = surface.vertices[tri[1]], &c = surface.vertices[tri[2]];
+    for (const Vec3& sample : {a, b, c, Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a)), Vec3((a + b + c) / 3)})
+      if (regionTree.closest(sample).distance < kCouplingMargin) skip[t] = 1;
+  }
+  // A triangle much larger than the region holds it inside, with every sample far away.
+  for (const Vec3& vertex : region.vertices)
+    if (const auto closest = surfaceTree.closest(vertex); closest.distance < kCouplingMargin) skip[closest.triangle] = 1;
+}
+
+TriMesh regionMesh(const Part& part, const Region& region) {
+  const TriMesh& source = region.surface == SurfaceKind::Visual ? *part.visual : *part.collision;
+  TriMesh mesh;
+  for (const int triangle : trianglesOf(region)) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    for (const int vertex : source.triangles[triangle]) mesh.vertices.push_back(source.vertices[vertex]);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+void compileContacts(Model& model) {
+  const Joint& joint = model.joint;
+  const int count = static_cast<int>(model.objects.size());
+  for (const SceneObject& object : model.objects) model.collisionSurfaces.push_back(makeCollisionSurface(*object.collision.mesh));
+  for (int a = 0; a < count; ++a) {
+    for (int b = a + 1; b < count; ++b) {
+      const SceneObject &objectA = model.objects[a], &objectB = model.objects[b];
+      if (!objectA.layout.free && !objectB.layout.free) continue;
+      if (perforates(model.scenario, objectA, objectB) || perforates(model.scenario, objectB, objectA)) continue;
+      if (!objectA.tool && !objectB.tool && isExcluded(joint, objectA.id, objectB.id)) continue;
+      CollisionPair pair;
+      pair.surfaceA = a;
+      pair.surfaceB = b;
+      for (const Coupling& coupling : joint.couplings) {
+        const bool forward = coupling.partA == objectA.id && coupling.partB == objectB.id;
+        const bool backward = coupling.partA == objectB.id && coupling.partB == objectA.id;
+        if (objectA.tool || objectB.tool || (!forward && !backward)) continue;
+        const Part& owner = joint.parts[findPart(joint, coupling.partA)];
+        const Region* region = findRegion(owner, coupling.regionA);
+        if (!region || region->triangles.empty()) continue;
+        const TriMesh mesh = regionMesh(owner, *region);
+        markNear(*objectA.collision.mesh, mesh, pair.skipTriangleA);
+        markNear(*objectB.collision.mesh, mesh, pair.skipTriangleB);
+      }
+      model.collisionPairs.push_back(std::move(pair));
+    }
+  }
+}
+
+}  // namespace glenoid

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/step/CompileObjects.h"
+
+#include <algorithm>
+
+#include "simcore/body/RigidObject.h"
+#include "simcore/body/SoftObject.h"
+#include "simcore/embed/Bind.h"
+#include "simcore/embed/Fill.h"
+#include "simcore/tool/ToolShape.h"
+
+namespace glenoid {
+
+namespace {
+
+Error about(Error error, const std::string& part) {
+  error.place.part = part;
+  return error;
+}
+
+SurfaceBinding bindSurface(const std::shared_ptr<const TriMesh>& mesh, const TetMesh* volume, const Vec3& centre) {
+  return {mesh, volume ? bindToTets(*volume, mesh->vertices) : bindToRigid(mesh->vertices, centre)};
+}
+
+/// The material use of each visual triangle: the last one whose region holds it.
+std::vector<int> useOfTriangles(const Part& part) {
+  std::vector<int> use(part.visual->triangles.size(), 0);
+  for (std::size_t u = 1; u < part.materials.size(); ++u)
+    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
+      for (const int triangle : trianglesOf(*region)) use[triangle] = static_cast<int>(u);
+  return use;
+}
+
+Result<std::vector<ElementTissue>> tissueOf(const Joint& joint, const Part& part) {
+  const std::vector<double> fill = fillFractions(*part.volume, *part.visual);
+  const std::vector<int> label = labelTets(*part.volume, *part.visual, useOfTriangles(part));
+  std::vector<ElementTissue> tissue;
+  for (std::size_t tet = 0; tet < fill.size(); ++tet) {
+    const std::string& id = part.materials[label[tet]].material;
+    const int index = findMaterial(joint, id);
+    if (index < 0) return Error{Fault::UnknownId, {"", "", part.id, {}}, {id, "material"}, ""};
+    const Material& material = joint.materials[index];
+    tissue.push_back({lameFrom(material.youngsModulus, material.poissonRatio), material.density, material.massDamping,
+                      material.stiffnessDamping, fill[tet]});
+  }
+  return tissue;
+}
+
+/// Takes the next stretch of the state for an object.
+void place(ObjectLayout& layout, int nodeCount, int& q, int& v) {
+  layout.nodeCount = layout.rigid ? 0 : nodeCount;
+  layout.qSize = layout.rigid ? 7 : 3 * nodeCount;
+  layout.vSize = !layout.free ? 0 : layout.rigid ? 6 : 3 * nodeCount;
+  layout.qOffset = q;
+  layout.vOffset = v;
+  q += layout.qSize;
+  v += layout.vSize;
+}
+
+}  // namespace
+
+Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres) {
+  const Joint& joint = model.joint;
+  const Scenario& scenario = model.scenario;
+  int q = 0, v = 0, rotations = 0;
+  std::vector<std::pair<int, Pose>> rigidStarts;
+  std::vector<std::pair<int, const TetMesh*>> softStarts;
+
+  for (const Part& part : joint.parts) {
+    SceneObject object;
+    object.id = part.id;
+    object.name = part.name;
+    object.number = part.number;
+    object.color = part.color;
+    object.layout.rigid = part.kind == PartKind::Rigid;
+    object.layout.free = std::find(scenario.fixedParts.begin(), scenario.fixedParts.end(), part.id) == scenario.fixedParts.end();
+    if (part.materials.empty()) return Error{Fault::Unusable, {"", "", part.id, {}}, {"material"}, "no material"};
+    const int material = findMaterial(joint, part.materials[0].material);
+    if (material < 0) return Error{Fault::UnknownId, {"", "", part.id, {}}, {part.materials[0].material, "material"}, ""};
+
+    Vec3 centre = Vec3::Zero();
+    if (object.layout.rigid) {
+      Result<MassProperties> properties = massPropertiesOf(*part.visual, joint.materials[material].density);
+      if (!properties) return about(properties.error(), part.id);
+      centre = properties->centre;
+      object.mass = properties->mass;
+      place(object.layout, 0, q, v);
+      rigidStarts.push_back({object.layout.qOffset, {centre, Quat::Identity()}});
+      inside.objects.push_back(std::make_unique<RigidObject>(object.layout, *properties, joint.materials[material].massDamping, true));
+    } else {
+      if (!part.volume || part.volume->tets.empty())
+        return Error{Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a soft part without tetrahedra"};
+      object.volume = part.volume;
+      place(object.layout, static_cast<int>(part.volume->nodes.size()), q, v);
+      softStarts.push_back({object.layout.qOffset, part.volume.get()});
+      Result<std::vector<ElementTissue>> tissue = tissueOf(joint, part);
+      if (!tissue) return tissue.error();
+      Result<std::unique_ptr<SoftObject>> soft = SoftObject::make(object.layout, part.volume, *tissue, rotations);
+      if (!soft) return about(soft.error(), part.id);
+      rotations += 4 * (*soft)->elementCount();
+      object.mass = (*soft)->mass();
+      inside.objects.push_back(std::move(*soft));
+    }
+    object.visual = bindSurface(part.visual, object.volume.get(), centre);
+    object.collision = bindSurface(part.collision, object.volume.get(), centre);
+    centres.push_back(centre);
+    model.objects.push_back(std::move(object));
+  }
+
+  for (std::size_t index = 0; index < scenario.tools.size(); ++index) {
+    const Tool& tool = scenario.tools[index];
+    SceneObject object;
+    object.id = tool.id;
+    object.name = tool.name;
+    object.tool = true;
+    object.toolIndex = static_cast<int>(index);
+    object.color = {0.72f, 0.74f, 0.78f};
+    const auto visual = std::make_shared<TriMesh>(makeToolSurface(tool, kToolVisualSegments));
+    const auto collision = std::make_shared<TriMesh>(makeToolSurface(tool, kToolCollisionSegments));
+    Result<MassProperties> properties = massPropertiesOf(*visual, tool.mass / enclosedVolume(*visual));
+    if (!properties) return about(properties.error(), tool.id);
+    object.mass = properties->mass;
+    place(object.layout, 0, q, v);
+    rigidStarts.push_back({object.layout.qOffset, {tool.home * properties->centre, tool.home.q_WB.normalized()}});
+    object.visual = bindSurface(visual, nullptr, properties->centre);
+    object.collision = bindSurface(collision, nullptr, properties->centre);
+    inside.objects.push_back(std::make_unique<RigidObject>(object.layout, *properties, 0.0, false));
+    centres.push_back(properties->centre);
+    model.objects.push_back(std::move(object));
+  }
+
+  State& start = model.start;
+  start.q.setZero(q);
+  start.v.setZero(v);
+  for (const auto& [offset, pose] : rigidStarts) setPoseAt(start.q, offset, pose);
+  for (const auto& [offset, mesh] : softStarts)
+    for (std::size_t i = 0; i < mesh->nodes.size(); ++i) start.q.segment<3>(offset + 3 * static_cast<int>(i)) = mesh->nodes[i];
+  start.rotations.setZero(rotations);
+  for (int i = 3; i < rotations; i += 4) start.rotations[i] = 1;
+  start.hands.resize(7 * static_cast<int>(scenario.tools.size()));
+  for (std::size_t index = 0; index < scenario.tools.size(); ++index)
+    setPoseAt(start.hands, 7 * static_cast<int>(index), {scenario.tools[index].home.p_WB, scenario.tools[index].home.q_WB.normalized()});
+  return Done{};
+}
+
+}  // namespace glenoid

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <memory>
+
+#include "simcore/coupling/Springs.h"
+#include "simcore/step/StepModel.h"
+
+namespace glenoid {
+
+/// Parts and tools as contact objects, with their surfaces bound and their place in the state; fills
+/// model.objects, model.start and inside.objects. `centres`: body frame origin of each rigid object at rest.
+Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres);
+
+/// Pairs that may collide and the triangles they leave out; fills model.collisionSurfaces and collisionPairs.
+/// Left out are: exclusions of the joint, two fixed objects, a tool and what it perforates, and, between two
+/// coupled parts, the triangles within 3 mm of the region that couples them.
+void compileContacts(Model& model);
+
+}  // namespace glenoid

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "simcore/body/ContactObject.h"
+#include "simcore/coupling/SpringAssembly.h"
+#include "simcore/step/Model.h"
+#include "simcore/tool/PoseSpring.h"
+
+namespace glenoid {
+
+/// A rigid body pulled toward a pose: the hold of an arm (tool −1) or a hand's coupling to its tool.
+struct BoundPoseSpring {
+  int object = 0, base = 0, tool = -1;
+  PoseSpring spring;
+  PoseTarget rest;  ///< target of a hold
+  std::array<BlockEntry, 3> entries;
+};
+
+/// A coupling island compiled: which objects, where their blocks start, pattern and forces.
+struct CouplingIslandModel {
+  std::vector<int> objects;                      ///< ascending
+  std::vector<int> base;                         ///< first block of each
+  std::vector<std::vector<BlockEntry>> entries;  ///< of each object
+  std::vector<BoundSpring> springs;              ///< an end may be fixed
+  std::vector<BoundPoseSpring> poseSprings;
+  std::shared_ptr<const BlockSymbolic> symbolic;
+  int blockCount = 0;
+};
+
+/// The numerical inside of a model, private to step/. Constant; threads share it.
+struct StepModel {
+  std::vector<std::unique_ptr<ContactObject>> objects;
+  std::vector<int> islandOfObject;   ///< −1: fixed
+  std::vector<int> baseOfObject;     ///< first block in its island; −1: fixed
+  std::vector<CouplingIslandModel> islands;
+  StepSettings settings;
+  bool contact = false;
+};
+
+}  // namespace glenoid

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <ctime>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "simcore/base/Worker.h"
+#include "simcore/collide/ProximityFinder.h"
+#include "simcore/contact/ContactIslands.h"
+#include "simcore/contact/ContactRows.h"
+#include "simcore/contact/ImpulseResponse.h"
+#include "simcore/contact/Lcp.h"
+#include "simcore/linear/ConjugateGradients.h"
+#include "simcore/step/StepModel.h"
+#include "simcore/step/Stepper.h"
+
+namespace glenoid {
+
+/// Caps and tolerances of the `paper` profile, named here once. The publication gives none.
+struct PaperLimits {
+  double cgTolerance = 1e-6;      ///< relative residual of the unconstrained solve
+  int cgIterations = 2000;        ///< block-Jacobi preconditioned
+  int outerIterations = 40;       ///< Jacobi over velocities
+  double outerTolerance = 1e-4;   ///< change of v between two iterations, relative
+  int innerSweeps = 30;           ///< projected Gauss–Seidel on B = J D⁻¹ Jᵀ
+  int powerIterations = 15;       ///< estimate of λmax(D⁻¹A)
+  double lambdaMaxForNodes = 1.9; ///< above it D holds objects instead of nodes
+};
+
+/// D of the splitting A = D − L − U for one coupling island: a pattern of A's own blocks, and its factor.
+struct Splitting {
+  std::shared_ptr<const BlockSymbolic> symbolic;
+  std::vector<std::array<int, 2>> slots;   ///< slot of D, slot of A, for the lower blocks that D keeps
+  std::vector<char> transposed;            ///< the two store it turned
+  std::unique_ptr<BlockMatrix> D;
+  std::unique_ptr<ImpulseResponse> response;
+};
+
+/// Scratch of one coupling island.
+struct IslandWork {
+  explicit IslandWork(const CouplingIslandModel& model) : A(model.symbolic) {}
+  BlockMatrix A;
+  std::unique_ptr<ImpulseResponse> response;  ///< of A; none in the paper profile
+  Splitting byNode, byObject;                 ///< paper profile only
+  Splitting* splitting = nullptr;             ///< the one in use this step
+  VecX b, v;                                  ///< right-hand side; velocities, first unconstrained
+  VecX residual, base, change;                ///< scratch, as long as b
+  IslandRows rows;
+  std::vector<int> rowIds;                    ///< place of each row in its contact island
+  std::vector<double> lambda;                 ///< of each row
+  CgWork cg;
+  PowerWork power;
+};
+
+/// One contact of the step: the detector's pair, as points of two objects.
+struct StepContact {
+  int objectA, objectB, islandA, islandB;
+  MaterialPoint a, b;
+  double target;  ///< c of J v ≥ c, m/s
+};
+
+/// Adds thread CPU time to a stage of the report while it lives.
+class StageClock {
+ public:
+  StageClock(StepReport& report, Stage stage) : m_total(report.cpuMs[static_cast<int>(stage)]), m_begin(nowMs()) {}
+  ~StageClock() { m_total += nowMs() - m_begin; }
+  static double nowMs() {
+    timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  }
+
+ private:
+  double& m_total;
+  double m_begin;
+};
+
+/// All scratch of a Stepper.
+struct Stepper::Work {
+  std::shared_ptr<const Model> model;
+  const StepModel* inside;
+  StepperOptions options;
+  StepSettings settings;
+  PaperLimits paper;
+  StepReport report;
+  std::vector<IslandWork> islands;
+  VecX rotations;
+
+  // Collision, filled by its own thread where there are two.
+  std::unique_ptr<ProximityFinder> finder;
+  std::vector<std::vector<Vec3>> positions, velocities;
+  std::vector<std::span<const Vec3>> positionSpans, velocitySpans;
+  const std::vector<Proximity>* proximities = nullptr;
+  const State* stateSeen = nullptr;   ///< what the collision thread reads
+  StepReport collideReport;           ///< its stage times
+  std::unique_ptr<Worker> worker;
+
+  // Contact.
+  std::vector<StepContact> contacts;
+  std::vector<std::array<int, 2>> sides;
+  std::unique_ptr<ContactIslandBuilder> islandBuilder;
+  std::vector<int> placeOfContact;    ///< in its contact island
+  VecX impulses;                      ///< of each contact, N·s
+  MatX W;
+  VecX d, lambda;
+  LcpWork lcp;
+
+  void findProximities(const State& state);
+};
+
+/// Forces, A and b of each coupling island.
+void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& state);
+/// One solve for each coupling island; false where one has no finite answer.
+bool solveUnconstrained(Stepper::Work& work, const State& state);
+/// Turns what the detector found into rows.
+void buildContacts(Stepper::Work& work, const State& state);
+/// One complementarity problem for each contact island; velocities become the constrained ones.
+void solveConstrained(Stepper::Work& work, const State& state);
+/// The published splitting for one contact island, in place of the direct solve.
+void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island);
+/// Prepares the splittings of an island at construction, and this step's D with its factor.
+void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, bool portable, IslandWork& island);
+void chooseSplitting(Stepper::Work& work, IslandWork& island);
+
+}  // namespace glenoid

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "simcore/step/Model.h"
+
+namespace glenoid {
+
+/// What comes from outside in one step: where each hand wants its tool, by the scenario's tool order.
+struct Inputs {
+  std::vector<Pose> hands;  ///< W; empty: the hands stay at home
+};
+
+/// One contact of a step, for drawing and metrics.
+struct ContactView {
+  int objectA = -1, objectB = -1;
+  Vec3 point_W = Vec3::Zero();   ///< midway, m
+  Vec3 normal_W = Vec3::UnitY(); ///< from b to a
+  double gap = 0;                ///< m, before the step
+  double force = 0;              ///< N, λ/Δt; > 0: active
+};
+
+/// The stages whose time is taken.
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Integrate, Count };
+inline constexpr int kStageCount = static_cast<int>(Stage::Count);
+const char* stageName(Stage stage);
+
+/// How the splitting of the `paper` profile went.
+struct PaperReport {
+  std::string d;             ///< "node" or "object": which blocks D held in the last step
+  double lambdaMax = 0;      ///< estimated largest eigenvalue of D⁻¹A
+  int cgIterations = 0;      ///< most of any coupling island
+  double cgResidual = 0;     ///< worst relative residual ‖b − A v‖/‖b‖
+  int outerIterations = 0;   ///< most of any contact island
+  double outerResidual = 0;  ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands at the end
+  bool cgCapped = false, outerCapped = false, diverged = false;
+};
+
+/// What one step did. Valid until the next step of the same Stepper.
+struct StepReport {
+  bool taken = true;              ///< false: not finite, the last good state stayed
+  int contacts = 0, active = 0;
+  int contactIslands = 0;         ///< with at least one contact
+  int droppedRows = 0;            ///< contacts that nothing can move
+  int pivotsExhausted = 0;        ///< contact islands that fell back to PGS
+  double residual = 0;            ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands
+  double complementarity = 0;     ///< worst |min(λ scaled, Jv − c)|, m/s
+  std::array<double, kStageCount> cpuMs{};  ///< thread CPU time
+  double stepCpuMs = 0, stepWallMs = 0;
+  PaperReport paper;
+  std::vector<ContactView> contactViews;
+  std::vector<Vec3> toolForces;   ///< contact force on each tool, N, W
+};
+
+struct StepperOptions {
+  Profile profile = Profile::Direct;
+  int threads = 1;
+  bool portable = false;  ///< no SIMD kernels
+};
+
+/// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.
+class Stepper {
+ public:
+  Stepper(std::shared_ptr<const Model> model, const StepperOptions& options);
+  ~Stepper();
+  const StepReport& step(const Inputs& inputs, State& state);
+  const Model& model() const;
+  struct Work;  ///< private to step/
+
+ private:
+  std::unique_ptr<Work> m_work;
+};
+
+/// "avx2-fma" or "portable": the instruction set of the kernels that would be used.
+const char* kernelIsa(bool portable);
+
+}  // namespace glenoid

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/tool/PoseSpring.h"
+
+#include <cmath>
+
+namespace glenoid {
+
+Vec6 springWrench(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, const VecX& q) {
+  const Pose pose = body.pose(q);
+  Vec3 force = spring.stiffness * (target.anchor_W - pose * spring.anchor_B);
+  const double pull = force.norm();
+  if (pull > spring.forceMax) force *= spring.forceMax / pull;
+  Quat error = target.q_WB * pose.q_WB.conjugate();
+  if (error.w() < 0) error.coeffs() *= -1;  // the short way round
+  const double sine = error.vec().norm();
+  const Vec3 theta = sine > 1e-12 ? Vec3(2 * std::atan2(sine, error.w()) / sine * error.vec()) : Vec3(2 * error.vec());
+  Vec6 wrench;
+  wrench << force, spring.angularStiffness * theta;
+  return wrench;
+}
+
+void assemblePoseSpring(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, double dt,
+                        const State& state, const std::array<BlockEntry, 3>& entries, BlockMatrix& A,
+                        Eigen::Ref<VecX> b) {
+  const Vec3 lever = body.pose(state.q).q_WB * spring.anchor_B;
+  const Mat3 cross = skew(lever);
+  const double k = dt * dt * spring.stiffness + dt * spring.damping;
+  const double kAngular = dt * dt * spring.angularStiffness + dt * spring.angularDamping;
+  // ṗ = v − [lever] ω, so Jᵀ k J has the blocks k, k [lever] (1,0) and −k [lever]².
+  A.add(entries[0], k * Mat3::Identity());
+  A.add(entries[1], kAngular * Mat3::Identity() - k * cross * cross);
+  A.add(entries[2], k * cross);
+  const Vec6 wrench = springWrench(spring, body, target, state.q);
+  const Vec3 force = wrench.head<3>() + spring.damping * target.velocity_W;
+  b.segment<3>(0) += dt * force;
+  b.segment<3>(3) += dt * (lever.cross(force) + wrench.tail<3>() + spring.angularDamping * target.omega_W);
+}
+
+}  // namespace glenoid

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds everything and runs every test: tests/run.sh [--quick] [arguments for ctest, such as -R NAME]
+# --quick leaves out the tests that are labelled long. Tests with windows run on a virtual screen.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../resources/packaging/prepare.sh"
+
+quick=0
+arguments=()
+for argument in "$@"; do
+  case "$argument" in
+    --quick) quick=1 ;;
+    -h | --help)
+      sed -n 's/^# \{0,1\}//p' "${BASH_SOURCE[0]}" | sed 1,2d
+      exit 0
+      ;;
+    *) arguments+=("$argument") ;;
+  esac
+done
+without='^gui$'
+[ "$quick" = 1 ] && without='^(gui|long)$'
+
+glenoid_install_packages
+glenoid_make all
+
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+export LIBGL_ALWAYS_SOFTWARE=1  # the same pictures with and without a graphics card
+tests=(ctest --test-dir "$glenoid_build" --output-on-failure ${arguments[@]+"${arguments[@]}"})
+
+count() { "$@" -N | sed -n 's/^Total Tests: //p'; }
+
+failed=0 ran=0
+if [ "$(count "${tests[@]}" -LE "$without")" -gt 0 ]; then
+  ran=1
+  QT_QPA_PLATFORM=offscreen "${tests[@]}" -LE "$without" -j2 </dev/null || failed=1
+fi
+window=(-L '^gui$')
+[ "$quick" = 1 ] && window+=(-LE '^long$')
+if [ "$(count "${tests[@]}" "${window[@]}")" -gt 0 ]; then
+  ran=1
+  QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1600x1000x24" "${tests[@]}" "${window[@]}" </dev/null || failed=1
+fi
+if [ "$ran" = 0 ]; then
+  glenoid_say "No test fits these arguments."
+  exit 1
+fi
+exit "$failed"

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "simcore/scene/Joint.h"
+#include "simcore/scene/Scenario.h"
+
+/// Joints of boxes, small enough to reason about by hand. Metres, Y up.
+namespace glenoid::scenes {
+
+/// Closed box with `n` squares along each edge, wound outwards.
+TriMesh boxSurface(const Vec3& low, const Vec3& high, int n = 1);
+
+/// The box cut into n³ bricks of five tetrahedra each, faces matching.
+TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz);
+
+/// A part with a box as both surfaces and, if soft, boxVolume of cells per edge. Material ids: "bone", "tissue".
+Part boxPart(const std::string& id, int number, PartKind kind, const Vec3& low, const Vec3& high, int cells = 2);
+
+/// Region of all visual triangles whose centroid lies in a box.
+Region regionIn(const Part& part, const std::string& id, const Box3& box);
+
+/// Adds materials "bone" (2000 kg/m³) and "tissue" (1000 kg/m³, 50 kPa, ν 0.4, β 1e-3 s).
+void addMaterials(Joint& joint);
+
+/// The paper's Figure 4: rigid 1 – soft 2 – rigid 3 in a row along X, coupled at both faces. Part 1 is fixed.
+Joint figure4Joint();
+Scenario figure4Scenario();
+
+/// The paper's Figure 5: the coupling island of Figure 4 with every part free, standing over nothing, and two
+/// finger tools that rest on the soft middle from above (no gravity): one contact island of three.
+Scenario figure5Scenario();
+
+/// A soft block over a fixed plate, 0.5 mm apart, under gravity, with a finger above.
+Joint blockOnPlateJoint();
+Scenario blockOnPlateScenario();
+
+}  // namespace glenoid::scenes

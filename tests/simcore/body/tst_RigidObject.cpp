@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "simcore/body/RigidObject.h"
+#include "tests/scenes/BlockScenes.h"
+
+namespace glenoid {
+namespace {
+
+ObjectLayout freeLayout() { return {true, true, 0, 7, 0, 6, 0}; }
+
+State stateOf(const Pose& pose, const Vec6& velocity) {
+  State state;
+  state.q.resize(7);
+  setPoseAt(state.q, 0, pose);
+  state.v = velocity;
+  return state;
+}
+
+TEST(RigidObject, massOfABoxInClosedForm) {
+  const Vec3 size(0.1, 0.2, 0.3), low(0.5, -1, 2);
+  const MassProperties box = massPropertiesOf(scenes::boxSurface(low, low + size, 3), 1000).value();
+  EXPECT_NEAR(box.mass, 6, 1e-12);
+  EXPECT_LT((box.centre - (low + 0.5 * size)).norm(), 1e-13);
+  const Vec3 expected = 6.0 / 12 * Vec3(0.04 + 0.09, 0.01 + 0.09, 0.01 + 0.04);
+  EXPECT_LT((box.inertia - Mat3(expected.asDiagonal())).norm(), 1e-13);
+}
+
+TEST(RigidObject, surfaceInsideOutIsRefused) {
+  TriMesh mesh = scenes::boxSurface(Vec3::Zero(), Vec3::Ones());
+  for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
+  EXPECT_EQ(massPropertiesOf(mesh, 1000).error().fault, Fault::BadMesh);
+}
+
+TEST(RigidObject, pointRowsAreTheDerivativeOfPosition) {
+  const MassProperties box = massPropertiesOf(scenes::boxSurface(-0.1 * Vec3::Ones(), 0.1 * Vec3::Ones()), 1000).value();
+  const RigidObject body(freeLayout(), box, 0, true);
+  const Pose pose{Vec3(1, 2, 3), Quat(Eigen::AngleAxisd(0.8, Vec3(1, -1, 2).normalized()))};
+  Vec6 v;
+  v << 0.3, -0.2, 0.5, 1.0, 2.0, -1.5;
+  State state = stateOf(pose, v);
+  MaterialPoint point;
+  point.r_B = Vec3(0.05, -0.07, 0.02);
+  const Vec3 direction(0.3, 0.5, -0.8);
+  RowTerm terms[kMaxPointTerms];
+  const int count = body.rowTerms(point, direction, state.q, 0, terms);
+  double row = 0;
+  for (int i = 0; i < count; ++i) row += terms[i].coefficient.dot(v.segment<3>(3 * terms[i].block));
+  const Vec3 before = body.position(point, state.q);
+  const double h = 1e-7;
+  body.advance(h, state);
+  EXPECT_NEAR(row, direction.dot(body.position(point, state.q) - before) / h, 1e-5);
+  EXPECT_NEAR(row, direction.dot(body.velocity(point, stateOf(pose, v).q, v)), 1e-14);
+}
+
+TEST(RigidObject, freeFallIsSemiImplicitEuler) {
+  const MassProperties box = massPropertiesOf(scenes::boxSurface(-0.1 * Vec3::Ones(), 0.1 * Vec3::Ones()), 1000).value();
+  const RigidObject body(freeLayout(), box, 0, true);
+  const auto symbolic = std::make_shared<BlockSymbolic>(2, std::span<const std::array<int, 2>>{});
+  BlockMatrix A(symbolic);
+  VecX b = VecX::Zero(6), rotations;
+  Vec6 v;
+  v << 1, 0, 0, 0, 0, 0;
+  const State state = stateOf({}, v);
+  StepSettings settings;
+  settings.gravity_W = Vec3(0, -10, 0);
+  settings.dt = 0.01;
+  body.assemble(settings, state, body.blockEntries(*symbolic, 0), rotations, A, b);
+  EXPECT_LT((A.block(0, 0) - 8 * Mat3::Identity()).norm(), 1e-12);
+  EXPECT_LT((b.head<3>() / 8 - Vec3(1, -0.1, 0)).norm(), 1e-12);
+}
+
+TEST(RigidObject, aFixedOneHasNoRowsAndStays) {
+  ObjectLayout layout = freeLayout();
+  layout.free = false;
+  layout.vSize = 0;
+  const RigidObject body(layout, massPropertiesOf(scenes::boxSurface(Vec3::Zero(), Vec3::Ones()), 1).value(), 0, true);
+  RowTerm terms[kMaxPointTerms];
+  State state = stateOf({}, Vec6::Ones());
+  const VecX before = state.q;
+  EXPECT_EQ(body.rowTerms({}, Vec3::UnitX(), state.q, 0, terms), 0);
+  body.advance(1, state);
+  EXPECT_EQ(state.q, before);
+  EXPECT_EQ(body.blockCount(), 0);
+}
+
+TEST(RigidObject, quaternionStaysUnitOverManySteps) {
+  const RigidObject body(freeLayout(), massPropertiesOf(scenes::boxSurface(Vec3::Zero(), Vec3::Ones()), 1).value(), 0, true);
+  Vec6 v;
+  v << 0, 0, 0, 5, -3, 2;
+  State state = stateOf({}, v);
+  for (int i = 0; i < 100000; ++i) body.advance(0.005, state);
+  EXPECT_NEAR(state.q.tail<4>().norm(), 1, 1e-14);
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/simcore/collide/SlowProximity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+namespace glenoid {
+namespace {
+
+using Name = std::vector<int>;
+
+struct Mesh {
+  const TriMesh& mesh;
+  std::map<std::array<int, 2>, std::vector<int>> edges;  ///< → triangles
+  std::vector<std::set<int>> neighbours;                 ///< vertex → vertices
+
+  explicit Mesh(const TriMesh& m) : mesh(m), neighbours(m.vertices.size()) {
+    for (int t = 0; t < static_cast<int>(m.triangles.size()); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const int i = m.triangles[t][k], j = m.triangles[t][(k + 1) % 3];
+        edges[{std::min(i, j), std::max(i, j)}].push_back(t);
+        neighbours[i].insert(j);
+        neighbours[j].insert(i);
+      }
+    }
+  }
+  const Vec3& x(int v) const { return mesh.vertices[v]; }
+  Vec3 normal(int t) const {
+    const auto& c = mesh.triangles[t];
+    return (x(c[1]) - x(c[0])).cross(x(c[2]) - x(c[0])).normalized();
+  }
+  int opposite(int t, const std::array<int, 2>& edge) const {
+    for (const int v : mesh.triangles[t]) {
+      if (v != edge[0] && v != edge[1]) return v;
+    }
+    return -1;
+  }
+  Vec3 vertexNormal(int v) const {
+    Vec3 n = Vec3::Zero();
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const auto& c = mesh.triangles[t];
+      for (int k = 0; k < 3; ++k) {
+        if (c[k] != v) continue;
+        const Vec3 p = (x(c[(k + 1) % 3]) - x(v)).normalized(), q = (x(c[(k + 2) % 3]) - x(v)).normalized();
+        n += std::acos(std::clamp(p.dot(q), -1.0, 1.0)) * normal(t);
+      }
+    }
+    return n.normalized();
+  }
+  bool inside(const Vec3& p) const {
+    double sum = 0;
+    for (const auto& t : mesh.triangles) {
+      const Vec3 u = x(t[0]) - p, v = x(t[1]) - p, w = x(t[2]) - p;
+      const double lu = u.norm(), lv = v.norm(), lw = w.norm();
+      sum += 2 * std::atan2(u.dot(v.cross(w)), lu * lv * lw + u.dot(v) * lw + v.dot(w) * lu + w.dot(u) * lv);
+    }
+    return sum > 2 * std::numbers::pi;
+  }
+
+  struct Foot {
+    Name feature;  ///< ascending vertices
+    Vec3 point, outward;
+  };
+  /// Feet of p on every feature beside which nothing is nearer; outward is that of a point outside.
+  std::vector<Foot> feet(const Vec3& p) const {
+    std::vector<Foot> result;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const auto& c = mesh.triangles[t];
+      const Vec3 n = normal(t), q = p - n * n.dot(p - x(c[0]));
+      bool within = true;
+      for (int k = 0; k < 3; ++k) within &= n.dot((x(c[(k + 1) % 3]) - x(c[k])).cross(q - x(c[k]))) > 0;
+      Name name(c.begin(), c.end());
+      std::sort(name.begin(), name.end());
+      if (within) result.push_back({name, q, n});
+    }
+    for (const auto& [edge, triangles] : edges) {
+      const Vec3 d = x(edge[1]) - x(edge[0]);
+      const double s = d.dot(p - x(edge[0])) / d.squaredNorm();
+      const Vec3 q = x(edge[0]) + s * d;
+      bool nearest = s > 0 && s < 1;
+      for (const int t : triangles) nearest &= (p - q).dot(x(opposite(t, edge)) - q) <= 0;
+      if (nearest) result.push_back({{edge[0], edge[1]}, q, (p - q).normalized()});
+    }
+    for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
+      bool nearest = true;
+      for (const int w : neighbours[v]) nearest &= (p - x(v)).dot(x(w) - x(v)) <= 0;
+      if (nearest) result.push_back({{v}, x(v), (p - x(v)).normalized()});
+    }
+    return result;
+  }
+  Foot nearestFoot(const Vec3& p) const {
+    const auto all = feet(p);
+    return *std::min_element(all.begin(), all.end(), [&](const Foot& f, const Foot& g) {
+      return (f.point - p).norm() < (g.point - p).norm();
+    });
+  }
+};
+
+Name join(const Name& a, const Name& b) {
+  Name name = a;
+  name.push_back(-1);
+  name.insert(name.end(), b.begin(), b.end());
+  return name;
+}
+
+}  // namespace
+
+Name featureName(const Proximity& contact) {
+  const auto sorted = [](const FeaturePoint& point) {
+    Name name(point.vertex.begin(), point.vertex.begin() + point.count);
+    std::sort(name.begin(), name.end());
+    return name;
+  };
+  return join(sorted(contact.a), sorted(contact.b));
+}
+
+std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh& meshB,
+                                            double contactDistance, const ProximityLimits& limits) {
+  std::map<Name, SlowContact> found;
+  const Mesh a(meshA), b(meshB);
+  const auto vertices = [&](const Mesh& mine, const Mesh& other, bool first) {
+    const auto add = [&](int v, const Mesh::Foot& foot, const Vec3& outward, double gap) {
+      const Name name = first ? join({v}, foot.feature) : join(foot.feature, {v});
+      found[name] = {gap, first ? outward : Vec3(-outward)};
+    };
+    for (int v = 0; v < static_cast<int>(mine.mesh.vertices.size()); ++v) {
+      const Vec3& p = mine.x(v);
+      const bool inside = other.inside(p);
+      if (inside) {
+        const Mesh::Foot foot = other.nearestFoot(p);
+        const double depth = (foot.point - p).norm();
+        const Vec3 outward = foot.feature.size() == 3 ? foot.outward : Vec3((foot.point - p) / depth);
+        if (depth < limits.depth) add(v, foot, outward, -depth);
+      }
+      for (const Mesh::Foot& foot : other.feet(p)) {
+        const double gap = (p - foot.point).norm();
+        if (foot.outward.dot(p - foot.point) < 0 || gap >= contactDistance) continue;
+        if (foot.feature.size() < 3 && inside && foot.feature == other.nearestFoot(p).feature) continue;
+        if (mine.vertexNormal(v).dot(foot.outward) > 0.5) continue;
+        // A point behind its edge or vertex lies in a reflex corner; then the pseudo-normal says inside.
+        Vec3 pseudo = Vec3::Zero();
+        if (foot.feature.size() == 2) {
+          for (const int t : other.edges.at({foot.feature[0], foot.feature[1]})) pseudo += other.normal(t);
+        } else if (foot.feature.size() == 1) {
+          pseudo = other.vertexNormal(foot.feature[0]);
+        } else {
+          pseudo = foot.outward;
+        }
+        if (pseudo.dot(p - foot.point) < 0) continue;
+        add(v, foot, foot.outward, gap);
+      }
+    }
+  };
+  vertices(a, b, true);
+  vertices(b, a, false);
+
+  const auto convex = [](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles) {
+    const Vec3 away = m.x(m.opposite(triangles[1], edge)) - m.x(edge[0]);
+    return m.normal(triangles[0]).dot(away) < -1e-3 * away.norm();
+  };
+  for (const auto& [ea, ta] : a.edges) {
+    if (!convex(a, ea, ta)) continue;
+    for (const auto& [eb, tb] : b.edges) {
+      if (!convex(b, eb, tb)) continue;
+      const Vec3 da = a.x(ea[1]) - a.x(ea[0]), db = b.x(eb[1]) - b.x(eb[0]);
+      if (da.cross(db).norm() <= 1e-3 * da.norm() * db.norm()) continue;
+      // Least squares for the points of the two lines that are nearest to each other.
+      Eigen::Matrix<double, 3, 2> lines;
+      lines << da, -db;
+      const Vec2 st = lines.colPivHouseholderQr().solve(b.x(eb[0]) - a.x(ea[0]));
+      if (st.minCoeff() <= 0 || st.maxCoeff() >= 1) continue;
+      const Vec3 pa = a.x(ea[0]) + st[0] * da, pb = b.x(eb[0]) + st[1] * db;
+      for (const double sign : {1.0, -1.0}) {
+        const Vec3 n = sign * da.cross(db).normalized();
+        double highestB = -1e30, lowestA = 1e30;
+        for (const int t : tb) highestB = std::max(highestB, n.dot(b.x(b.opposite(t, eb)) - pb));
+        for (const int t : ta) lowestA = std::min(lowestA, n.dot(a.x(a.opposite(t, ea)) - pa));
+        if (highestB > 0 || lowestA < 0) continue;
+        const double gap = n.dot(pa - pb);
+        if (gap >= contactDistance || gap < -limits.edgeDepth) continue;
+        if (gap < 0) {
+          if (!b.inside(pa) || !a.inside(pb)) continue;
+          const double depth =
+              std::min((b.nearestFoot(pa).point - pa).norm(), (a.nearestFoot(pb).point - pb).norm());
+          if (depth < -0.4 * gap) continue;
+        }
+        found[join({ea[0], ea[1]}, {eb[0], eb[1]})] = {gap, n};
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace glenoid

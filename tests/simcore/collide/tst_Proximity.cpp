@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/simcore/collide/Scene.h"
+#include "tests/simcore/collide/SlowProximity.h"
+
+namespace glenoid {
+namespace {
+
+using namespace shapes;
+
+int count(const std::vector<Proximity>& contacts, int featureA, int featureB) {
+  return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [&](const Proximity& c) {
+    return c.a.count == featureA && c.b.count == featureB;
+  }));
+}
+
+TEST(CollisionSurface, knowsItsTopology) {
+  const auto surface = makeCollisionSurface(sphere({0, 0, 0}, 1, 2));
+  EXPECT_TRUE(surface->closed);
+  EXPECT_EQ(surface->triangles.size(), 128u);
+  EXPECT_EQ(surface->edges.size(), 192u);  // 3 F / 2
+  EXPECT_EQ(surface->vertexCount - 192 + 128, 2);
+  for (int e = 0; e < 192; ++e) {
+    const auto& edge = surface->edges[e];
+    EXPECT_LT(edge.vertices[0], edge.vertices[1]);
+    for (int k = 0; k < 2; ++k) {
+      const auto& own = surface->triangleEdges[edge.triangles[k]];
+      const auto& corners = surface->triangles[edge.triangles[k]];
+      EXPECT_EQ(std::count(own.begin(), own.end(), e), 1);
+      EXPECT_EQ(std::count(corners.begin(), corners.end(), edge.opposite[k]), 1);
+      EXPECT_NE(edge.opposite[k], edge.vertices[0]);
+      EXPECT_NE(edge.opposite[k], edge.vertices[1]);
+    }
+  }
+  for (int v = 0; v < surface->vertexCount; ++v) {
+    EXPECT_EQ(surface->trianglesOf(v).size(), surface->edgesOf(v).size());  // closed fan
+    for (const int t : surface->trianglesOf(v)) {
+      EXPECT_EQ(std::count(surface->triangles[t].begin(), surface->triangles[t].end(), v), 1);
+    }
+  }
+  TriMesh open = box({0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  EXPECT_FALSE(makeCollisionSurface(open)->closed);
+  TriMesh turned = box({0, 0, 0}, {1, 1, 1});
+  std::swap(turned.triangles[3][0], turned.triangles[3][1]);
+  EXPECT_FALSE(makeCollisionSurface(turned)->closed);
+}
+
+TEST(Proximity, boxOverBoxGivesItsFourCorners) {
+  const CollisionScene scene = twoMeshes(box({-0.01, 0.0305, -0.012}, {0.013, 0.05, 0.01}),
+                                         box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  const auto contacts = scene.find(0.001);
+  ASSERT_EQ(contacts.size(), 4u);
+  std::set<int> corners;
+  for (const Proximity& c : contacts) {
+    EXPECT_EQ(c.a.count, 1);
+    EXPECT_EQ(c.b.count, 3);
+    EXPECT_NEAR(c.gap, 0.0005, 1e-15);
+    EXPECT_LT((c.normal_W - Vec3::UnitY()).norm(), 1e-15);
+    EXPECT_NEAR(c.normal_W.dot(scene.at(0, c.a) - scene.at(1, c.b)), c.gap, 1e-15);
+    corners.insert(c.a.vertex[0]);
+  }
+  EXPECT_EQ(corners, (std::set<int>{0, 1, 4, 5}));
+  EXPECT_TRUE(scene.find(0.0004).empty());
+}
+
+TEST(Proximity, touchingAndSunkenCornersStayFour) {
+  for (const double sink : {0.0, 1e-12, 1e-9, 1e-6, 1e-3, 3.5e-3}) {
+    const CollisionScene scene = twoMeshes(box({-0.01, 0.03 - sink, -0.012}, {0.013, 0.05, 0.01}),
+                                           box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+    const auto contacts = scene.find(0.001);
+    ASSERT_EQ(contacts.size(), 4u) << sink;
+    for (const Proximity& c : contacts) {
+      EXPECT_EQ(c.a.count, 1);
+      EXPECT_NEAR(c.gap, -sink, 1e-14);
+      EXPECT_LT((c.normal_W - Vec3::UnitY()).norm(), 1e-12);
+    }
+  }
+  // Below the depth limit nothing is known any more.
+  EXPECT_TRUE(
+      twoMeshes(box({-0.01, 0.024, -0.012}, {0.013, 0.05, 0.01}), box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}))
+          .find(0.001)
+          .empty());
+}
+
+TEST(Proximity, swappedSurfacesGiveTheOppositeNormal) {
+  const TriMesh ball = sphere({0, 0.0405, 0}, 0.01, 2), slab = box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04});
+  const auto there = twoMeshes(ball, slab).find(0.001), back = twoMeshes(slab, ball).find(0.001);
+  ASSERT_EQ(there.size(), back.size());
+  ASSERT_FALSE(there.empty());
+  std::map<std::vector<int>, Proximity> byName;
+  for (const Proximity& c : there) byName[featureName(c)] = c;
+  for (Proximity c : back) {
+    std::swap(c.a, c.b);
+    ASSERT_EQ(byName.count(featureName(c)), 1u);
+    EXPECT_LT((byName[featureName(c)].normal_W + c.normal_W).norm(), 1e-15);
+    EXPECT_EQ(byName[featureName(c)].gap, c.gap);
+  }
+}
+
+TEST(Proximity, ballOverPlaneTouchesWithItsLowestVertices) {
+  const CollisionScene scene =
+      twoMeshes(sphere({0.003, 0.0405, 0.001}, 0.01, 3), box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  const auto contacts = scene.find(0.001);
+  std::set<int> near;
+  for (int v = 0; v < static_cast<int>(scene.meshes[0].vertices.size()); ++v) {
+    if (scene.meshes[0].vertices[v].y() - 0.03 < 0.001) near.insert(v);
+  }
+  std::set<int> found;
+  for (const Proximity& c : contacts) {
+    EXPECT_EQ(c.a.count, 1);
+    EXPECT_NEAR(c.gap, scene.meshes[0].vertices[c.a.vertex[0]].y() - 0.03, 1e-15);
+    EXPECT_LT((c.normal_W - Vec3::UnitY()).norm(), 1e-14);
+    EXPECT_TRUE(found.insert(c.a.vertex[0]).second);  // one for each vertex
+  }
+  EXPECT_EQ(found, near);
+}
+
+TEST(Proximity, deepCornerLeavesThroughTheNearestFace) {
+  // A spike 3 mm under the top of a slab, 20 mm from its sides.
+  TriMesh spike;
+  spike.vertices = {{0, 0.027, 0}, {0.01, 0.06, 0}, {-0.005, 0.06, 0.009}, {-0.005, 0.06, -0.009}};
+  spike.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  ASSERT_GT(enclosedVolume(spike), 0);
+  const CollisionScene scene = twoMeshes(spike, box({-0.02, 0, -0.02}, {0.025, 0.03, 0.02}));
+  const auto contacts = scene.find(0.001);
+  ASSERT_EQ(count(contacts, 1, 3), 1);
+  const Proximity& c = contacts[0];
+  EXPECT_NEAR(c.gap, -0.003, 1e-15);
+  EXPECT_LT((c.normal_W - Vec3::UnitY()).norm(), 1e-15);
+  EXPECT_EQ(c.a.vertex[0], 0);
+}
+
+TEST(Proximity, thinSheetPushesBackTheWayTheVertexCame) {
+  // 0.7 mm into a sheet of 1.1 mm: the far face is nearer, the spike still goes back up.
+  TriMesh spike;
+  spike.vertices = {{0, 0.0004, 0}, {0.01, 0.03, 0}, {-0.005, 0.03, 0.009}, {-0.005, 0.03, -0.009}};
+  spike.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  const auto contacts = twoMeshes(spike, box({-0.02, 0, -0.02}, {0.025, 0.0011, 0.02})).find(0.0005);
+  ASSERT_EQ(contacts.size(), 1u);
+  EXPECT_NEAR(contacts[0].gap, -0.0007, 1e-15);
+  EXPECT_LT((contacts[0].normal_W - Vec3::UnitY()).norm(), 1e-15);
+}
+
+TEST(Proximity, farSideOfAThinSheetGivesNothing) {
+  // A sheet of 0.3 mm hovers 0.2 mm over a slab: only its lower corners are contacts.
+  const auto contacts = twoMeshes(box({-0.01, 0.0302, -0.01}, {0.011, 0.0305, 0.012}),
+                                  box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}))
+                            .find(0.0015);
+  ASSERT_EQ(contacts.size(), 4u);
+  for (const Proximity& c : contacts) EXPECT_NEAR(c.gap, 0.0002, 1e-15);
+}
+
+/// A roof whose ridge, along z before turning, lies at height y; the other one hangs upside down.
+TriMesh roof(double y, double angle, bool hanging) {
+  TriMesh mesh;
+  const double s = hanging ? 1 : -1;
+  mesh.vertices = {{0, 0, -0.02},
+                   {0, 0, 0.02},
+                   {-0.01, s * 0.01, -0.021},
+                   {-0.01, s * 0.01, 0.021},
+                   {0.01, s * 0.01, -0.021},
+                   {0.01, s * 0.01, 0.021}};
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}, {2, 4, 5}, {2, 5, 3}, {0, 4, 2}, {1, 3, 5}};
+  if (enclosedVolume(mesh) < 0) {
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  }
+  return moved(mesh, poseOf({0, y, 0}, Vec3::UnitY(), angle));
+}
+
+TEST(Proximity, crossingEdgesGiveOneContactOutsideAndInside) {
+  for (const double gap : {0.0008, 1e-6, 0.0, -1e-6, -0.0008, -0.0015}) {
+    const CollisionScene scene = twoMeshes(roof(gap, 1.2, true), roof(0, 0, false));
+    const auto contacts = scene.find(0.001);
+    ASSERT_EQ(contacts.size(), 1u) << gap;
+    EXPECT_EQ(contacts[0].a.count, 2);
+    EXPECT_EQ(contacts[0].b.count, 2);
+    EXPECT_NEAR(contacts[0].gap, gap, 1e-15);
+    EXPECT_LT((contacts[0].normal_W - Vec3::UnitY()).norm(), 1e-14);
+    EXPECT_LT((scene.at(0, contacts[0].a) - Vec3(0, gap, 0)).norm(), 1e-15);
+    EXPECT_LT((scene.at(1, contacts[0].b)).norm(), 1e-15);
+  }
+}
+
+TEST(Proximity, lookAheadFollowsTheClosingSpeedUpToItsCap) {
+  CollisionScene scene =
+      twoMeshes(box({-0.01, 0.033, -0.012}, {0.013, 0.05, 0.01}), box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  const auto countAt = [&](const Vec3& vA, const Vec3& vB) {
+    scene.velocities = {std::vector<Vec3>(8, vA), std::vector<Vec3>(8, vB)};
+    return scene.find(0.0015, 0.005).size();
+  };
+  EXPECT_EQ(countAt({0, 0, 0}, {0, 0, 0}), 0u);        // gap 3 mm
+  EXPECT_EQ(countAt({0, -0.29, 0}, {0, 0, 0}), 0u);    // 1.5 + 1.45 mm
+  EXPECT_EQ(countAt({0, -0.31, 0}, {0, 0, 0}), 4u);    // 1.5 + 1.55 mm
+  EXPECT_EQ(countAt({0, -0.2, 0}, {0, 0.11, 0}), 4u);  // shared between both
+  EXPECT_EQ(countAt({0, -1, 0}, {0, -1, 0}), 0u);      // together
+  EXPECT_EQ(countAt({3, 1, 3}, {0, 0, 0}), 0u);        // along and away
+  scene.meshes[0] = box({-0.01, 0.0336, -0.012}, {0.013, 0.05, 0.01});
+  EXPECT_EQ(countAt({0, -50, 0}, {0, 0, 0}), 0u);  // 1.5 + at most 2 mm
+}
+
+TEST(Proximity, equalsBruteForceOverAllFeatures) {
+  Numbers numbers(11);
+  int positive = 0, negative = 0, edges = 0;
+  // Curved, flat and saddle-shaped surfaces, near, touching and up to some millimetres inside each other.
+  for (int i = 0; i < 90; ++i) {
+    TriMesh a = i % 3 == 0 ? sphere({0, 0, 0}, 0.02, 2)
+                           : (i % 3 == 1 ? torus(0.02, 0.008, 15, 9)
+                                         : box({-0.015, -0.01, -0.02}, {0.01, 0.02, 0.01}));
+    TriMesh b = i % 2 == 0 ? torus(0.025, 0.01, 13, 8) : sphere({0, 0, 0}, 0.018, 1);
+    a = moved(a, numbers.pose(0.0));
+    Pose pose = numbers.pose(1.0);
+    pose.p_WB *= numbers.in(0.025, 0.045) / pose.p_WB.norm();
+    b = moved(b, pose);
+    const double contactDistance = 0.0015;
+    const ProximityLimits limits{3e-3, 2e-3, 2e-3};
+    const auto slow = slowProximities(a, b, contactDistance, limits);
+    const auto found = twoMeshes(a, b).find(contactDistance, 0.005, limits);
+    std::set<std::vector<int>> names;
+    for (const Proximity& c : found) {
+      EXPECT_TRUE(names.insert(featureName(c)).second);
+      const auto match = slow.find(featureName(c));
+      ASSERT_NE(match, slow.end()) << i << ": not expected, gap " << c.gap << ", " << c.a.count << " "
+                                   << c.b.count;
+      EXPECT_NEAR(match->second.gap, c.gap, 1e-13);
+      EXPECT_LT((match->second.normal_W - c.normal_W).norm(),
+                1e-8);  // a direction over a gap that may be tiny
+      (c.gap < 0 ? negative : positive) += 1;
+      edges += c.a.count == 2 && c.b.count == 2;
+    }
+    for (const auto& [name, contact] : slow)
+      EXPECT_EQ(names.count(name), 1u) << i << ": missed, gap " << contact.gap;
+  }
+  EXPECT_GT(positive, 100);
+  EXPECT_GT(negative, 50);
+  EXPECT_GT(edges, 20);
+}
+
+TEST(Proximity, turnsWithTheScene) {
+  Numbers numbers(12);
+  for (int i = 0; i < 20; ++i) {
+    Pose offset = numbers.pose(1);
+    offset.p_WB *= numbers.in(0.028, 0.034) / offset.p_WB.norm();
+    const TriMesh a = torus(0.02, 0.008, 15, 9), b = moved(sphere({0, 0, 0}, 0.015, 2), offset);
+    const Pose world = numbers.pose(0.3);
+    const auto here = twoMeshes(a, b).find(0.0015),
+               there = twoMeshes(moved(a, world), moved(b, world)).find(0.0015);
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      EXPECT_EQ(here[k].key, there[k].key);
+      EXPECT_NEAR(here[k].gap, there[k].gap, 1e-14);
+      EXPECT_LT((world.q_WB * here[k].normal_W - there[k].normal_W).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(Proximity, keysStayWhileFeaturesDo) {
+  CollisionScene scene = twoMeshes(box({-0.01, 0.0305, -0.012}, {0.013, 0.05, 0.01}),
+                                   box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  scene.meshes.push_back(sphere({0.2, 0.2, 0.2}, 0.01, 1));
+  scene.pairs = {{2, 1, {}, {}}, {0, 1, {}, {}}};
+  ProximityFinder finder(scene.surfaces(), scene.pairs);
+  std::vector<std::uint64_t> first;
+  for (int i = 0; i < 10; ++i) {
+    for (Vec3& x : scene.meshes[0].vertices)
+      x += Vec3(1e-4, -8e-5, 5e-5);  // from 0.5 mm above to 0.3 mm inside
+    std::vector<std::uint64_t> keys;
+    for (const Proximity& c : finder.find(scene.positionSpans(), {}, 0.001, 0.005)) {
+      EXPECT_EQ(c.pair, 1);
+      keys.push_back(c.key);
+    }
+    EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+    EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
+    if (i == 0) first = keys;
+    EXPECT_EQ(keys, first);
+  }
+  EXPECT_EQ(first.size(), 4u);
+}
+
+TEST(Proximity, skippedTrianglesTakeNoPart) {
+  const TriMesh slab = box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04});
+  for (const double height : {0.0005, -0.0005}) {
+    CollisionScene scene = twoMeshes(box({-0.01, 0.03 + height, -0.012}, {0.013, 0.05, 0.01}), slab);
+    EXPECT_EQ(scene.find(0.001).size(), 4u);
+    std::vector<char> top(12, 0);
+    for (int t = 0; t < 12; ++t) {
+      bool upper = true;
+      for (const int v : slab.triangles[t]) upper &= slab.vertices[v].y() > 0.02;
+      top[t] = upper;
+    }
+    scene.pairs[0].skipTriangleB = top;
+    EXPECT_TRUE(scene.find(0.001).empty());
+    scene.pairs[0].skipTriangleB.clear();
+    scene.pairs[0].skipTriangleA.assign(12, 1);
+    EXPECT_TRUE(scene.find(0.001).empty());
+    scene.pairs[0].skipTriangleA.assign(12, 0);
+    for (const int t : {4, 5})
+      scene.pairs[0].skipTriangleA[t] = 1;  // the lower face; its corners have others
+    EXPECT_EQ(scene.find(0.001).size(), 4u);
+  }
+}
+
+TEST(Proximity, swallowedSurfaceIsPushedOut) {
+  // A pebble of 1 mm wholly inside a slab, 1.5 mm under its top: no triangles meet.
+  const auto contacts =
+      twoMeshes(sphere({0.01, 0.0285, 0}, 0.0005, 1), box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}))
+          .find(0.0005);
+  EXPECT_EQ(contacts.size(), 18u);  // all its vertices
+  for (const Proximity& c : contacts) EXPECT_LT((c.normal_W - Vec3::UnitY()).norm(), 1e-14);
+}
+
+TEST(Proximity, notFinitePositionsGiveNoContact) {
+  CollisionScene scene = twoMeshes(box({-0.01, 0.0305, -0.012}, {0.013, 0.05, 0.01}),
+                                   box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  scene.meshes[1].vertices[3].x() = std::nan("");
+  ProximityFinder finder(twoMeshes(box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})).surfaces(),
+                         scene.pairs);
+  EXPECT_TRUE(finder.find(scene.positionSpans(), {}, 0.001, 0.005).empty());
+  scene.meshes[1].vertices[3].x() = 0.05;
+  EXPECT_EQ(finder.find(scene.positionSpans(), {}, 0.001, 0.005).size(), 4u);
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "simcore/contact/Lcp.h"
+
+namespace glenoid {
+namespace {
+
+struct Problem {
+  MatX W;
+  VecX d;
+};
+
+/// W = Yᵀ Y with `rank` rows, so more contacts than directions make it singular; row i has its own scale.
+Problem randomProblem(int n, int rank, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const MatX Y = MatX::NullaryExpr(rank, n, [&] { return normal(random); });
+  VecX scale(n);
+  for (int i = 0; i < n; ++i) scale[i] = std::pow(10.0, i % 4 - 2);
+  Problem problem;
+  problem.W = scale.asDiagonal() * (Y.transpose() * Y) * scale.asDiagonal();
+  // d = Yᵀ u is in the range: a solution exists however low the rank.
+  problem.d = scale.asDiagonal() * (Y.transpose() * VecX::NullaryExpr(rank, [&] { return normal(random); }));
+  return problem;
+}
+
+void expectComplementary(const Problem& problem, const VecX& lambda, double tolerance) {
+  const VecX w = problem.W * lambda + problem.d;
+  for (Eigen::Index i = 0; i < w.size(); ++i) {
+    const double scale = std::sqrt(problem.W(i, i));
+    EXPECT_GE(lambda[i], 0);
+    EXPECT_GT(w[i], -tolerance * scale) << i;
+    EXPECT_LT(std::min(lambda[i] * problem.W(i, i), w[i]), tolerance * scale) << i;
+  }
+}
+
+TEST(Lcp, oneRowInClosedForm) {
+  LcpWork work;
+  VecX lambda = VecX::Zero(1);
+  const MatX W = MatX::Constant(1, 1, 4);
+  EXPECT_TRUE(solveLcp(W, VecX::Constant(1, -2), lambda, {}, work).exact);
+  EXPECT_NEAR(lambda[0], 0.5, 1e-11);
+  solveLcp(W, VecX::Constant(1, 2), lambda, {}, work);
+  EXPECT_EQ(lambda[0], 0);
+}
+
+TEST(Lcp, exactOnRandomDefiniteProblems) {
+  LcpWork work;
+  for (const int n : {2, 7, 30, 90}) {
+    const Problem problem = randomProblem(n, 2 * n, n);
+    VecX lambda = VecX::Zero(n);
+    const LcpReport report = solveLcp(problem.W, problem.d, lambda, {}, work);
+    EXPECT_TRUE(report.exact) << n;
+    expectComplementary(problem, lambda, 1e-8);
+  }
+}
+
+TEST(Lcp, pgsAloneConvergesToTheSameAnswer) {
+  LcpWork work;
+  const Problem problem = randomProblem(12, 40, 5);
+  VecX exact = VecX::Zero(12), slow = exact;
+  solveLcp(problem.W, problem.d, exact, {}, work);
+  LcpLimits limits;
+  limits.pivots = 0;
+  limits.sweeps = 5000;
+  solveLcp(problem.W, problem.d, slow, limits, work);
+  for (int i = 0; i < 12; ++i) EXPECT_NEAR(slow[i], exact[i], 1e-8 * (1 + exact[i]));
+}
+
+TEST(Lcp, duplicatesAreMendedByCompliance) {
+  Problem problem = randomProblem(6, 20, 9);
+  MatX W(12, 12);
+  VecX d(12);
+  for (int i = 0; i < 12; ++i) {
+    d[i] = problem.d[i % 6];
+    for (int j = 0; j < 12; ++j) W(i, j) = problem.W(i % 6, j % 6);
+  }
+  LcpWork work;
+  VecX lambda = VecX::Zero(12);
+  solveLcp(W, d, lambda, {}, work);
+  expectComplementary({W, d}, lambda, 1e-6);
+}
+
+TEST(Lcp, moreContactsThanDirectionsStayFiniteAndFeasible) {
+  LcpWork work;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Problem problem = randomProblem(40, 6, seed);  // forty contacts between two rigid bodies
+    VecX lambda = VecX::Zero(40);
+    const LcpReport report = solveLcp(problem.W, problem.d, lambda, {}, work);
+    ASSERT_TRUE(lambda.allFinite());
+    expectComplementary(problem, lambda, report.exact ? 1e-5 : 1e-2);
+  }
+}
+
+TEST(Lcp, warmStartDoesNotChangeTheAnswer) {
+  LcpWork work;
+  const Problem problem = randomProblem(25, 60, 11);
+  VecX cold = VecX::Zero(25), warm = VecX::Constant(25, 3.0);
+  solveLcp(problem.W, problem.d, cold, {}, work);
+  solveLcp(problem.W, problem.d, warm, {}, work);
+  for (int i = 0; i < 25; ++i) EXPECT_NEAR(warm[i], cold[i], 1e-9 * (1 + cold[i]));
+}
+
+TEST(Lcp, notFiniteGuessIsDropped) {
+  LcpWork work;
+  VecX lambda = VecX::Constant(1, NAN);
+  solveLcp(MatX::Identity(1, 1), VecX::Constant(1, -1), lambda, {}, work);
+  EXPECT_NEAR(lambda[0], 1, 1e-11);
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/scene/RecipeFile.h"
+
+#include <gtest/gtest.h>
+
+#include "simcore/file/Ply.h"
+#include "tests/simcore/file/TemporaryFolder.h"
+#include "tests/simcore/scene/SampleJoint.h"
+
+namespace glenoid {
+namespace {
+
+const std::string kRecipe = R"({
+  "schemaVersion": 1, "id": "r", "name": "R", "clearance": 0.001, "separationIterations": 50,
+  "materials": [{"id": "bone", "density": 1800, "youngsModulus": 1e9, "poissonRatio": 0.3}],
+  "parts": [
+    {"id": "humerus", "number": 1, "kind": "rigid", "visual": "h.ply", "collision": "h.ply", "materials": [{"material": "bone"}]},
+    {"id": "cuff", "number": 2, "kind": "soft", "visual": "sub/c.ply", "tetrahedra": 500, "collisionTriangles": 4,
+     "axes": "principal", "color": [0.25, 0.5, 1], "materials": [{"material": "bone"}],
+     "regions": [{"id": "foot", "kind": "footprint", "triangles": [[0, 2], [3, 1]]}],
+     "landmarks": [{"id": "l", "position": [1, 2, 3]}]}
+  ],
+  "couplings": [{"id": "c", "partA": "cuff", "partB": "humerus", "regionA": "foot", "stiffnessPerArea": 1e7}]
+})";
+
+struct Prepared {
+  TemporaryFolder folder;
+  Prepared() {
+    std::filesystem::create_directories(folder.path("meshes/sub"));
+    const Joint joint = sampleJoint();
+    EXPECT_TRUE(writePly(folder.path("meshes/h.ply"), *joint.parts[0].visual).ok());
+    EXPECT_TRUE(writePly(folder.path("meshes/sub/c.ply"), *joint.parts[1].visual).ok());
+  }
+  Result<JointRecipe> load(const std::string& what = {}, const std::string& by = {}) const {
+    std::string text = kRecipe;
+    if (!what.empty()) text.replace(text.find(what), what.size(), by);
+    return loadRecipe(folder.put("r.json", text), folder.path("meshes"));
+  }
+};
+
+TEST(RecipeFile, whatTheFileSaysIsRead) {
+  const Prepared prepared;
+  const auto recipe = prepared.load();
+  ASSERT_TRUE(recipe.ok()) << toLogLine(recipe.error());
+  EXPECT_EQ(recipe->id, "r");
+  EXPECT_EQ(recipe->clearance, 0.001);
+  EXPECT_EQ(recipe->separationIterations, 50);
+  ASSERT_EQ(recipe->parts.size(), 2u);
+  const PartRecipe &humerus = recipe->parts[0], &cuff = recipe->parts[1];
+  EXPECT_EQ(humerus.visual, humerus.collision);
+  EXPECT_EQ(*humerus.visual, *sampleJoint().parts[0].visual);
+  EXPECT_EQ(cuff.kind, PartKind::Soft);
+  EXPECT_EQ(cuff.tetrahedra, 500);
+  EXPECT_EQ(cuff.collisionTriangles, 4);
+  EXPECT_EQ(cuff.axes, GridAxes::Principal);
+  EXPECT_EQ(cuff.color, (std::array<float, 3>{0.25f, 0.5f, 1.0f}));
+  EXPECT_FALSE(cuff.collision);
+  EXPECT_EQ(cuff.regions[0].triangles, (std::vector<TriangleRun>{{0, 2}, {3, 1}}));
+  EXPECT_EQ(cuff.landmarks[0].position_W, Vec3(1, 2, 3));
+  EXPECT_EQ(recipe->couplings[0].stiffnessPerArea, 1e7);
+}
+
+TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
+  struct Slip {
+    const char *what, *by;
+    Fault fault;
+    const char *pointer, *part;
+  };
+  const Prepared prepared;
+  for (const Slip& slip :
+       {Slip{"\"tetrahedra\": 500", "\"tetrahedra\": 0", Fault::Unusable, "/parts/1", "cuff"},
+        Slip{"\"number\": 1,", "\"number\": 1, \"cellSize\": 0.01,", Fault::Unusable, "/parts/0", "humerus"},
+        Slip{"sub/c.ply", "../meshes/h.ply", Fault::BadReference, "/parts/1/visual", "cuff"},
+        Slip{"[3, 1]", "[3, 2]", Fault::BadIndex, "/parts/1/regions/0/triangles", "cuff"},
+        Slip{"\"number\": 2", "\"number\": 1", Fault::DuplicateId, "/parts/1/number", "cuff"},
+        Slip{"\"regionA\": \"foot\"", "\"regionA\": \"hand\"", Fault::UnknownId, "/couplings/0/regionA", "c"},
+        Slip{"\"clearance\": 0.001", "\"clearance\": -1", Fault::OutOfRange, "/clearance", ""}}) {
+    const auto recipe = prepared.load(slip.what, slip.by);
+    ASSERT_FALSE(recipe.ok()) << slip.by;
+    EXPECT_EQ(recipe.error().fault, slip.fault) << slip.by << toLogLine(recipe.error());
+    EXPECT_EQ(recipe.error().place.pointer, slip.pointer) << slip.by;
+    EXPECT_EQ(recipe.error().place.part, slip.part) << slip.by;
+    EXPECT_EQ(recipe.error().place.file, prepared.folder.path("r.json"));
+  }
+  const auto missing = prepared.load("sub/c.ply", "sub/d.ply");
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().fault, Fault::FileMissing);
+  EXPECT_EQ(missing.error().place.file, prepared.folder.path("meshes/sub/d.ply"));
+  EXPECT_EQ(missing.error().place.part, "cuff");
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/scene/ScenarioFile.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "tests/simcore/file/TemporaryFolder.h"
+#include "tests/simcore/scene/SampleJoint.h"
+
+namespace glenoid {
+namespace {
+
+Scenario sample() {
+  Scenario scenario;
+  scenario.id = "arthroscopy";
+  scenario.name = "Arthroscopy";
+  scenario.description = "Two tools\nthrough portals";
+  scenario.joint = "../joints/s.joint";
+  scenario.dt = 0.004;
+  scenario.gravity_W = {0.1, -9.8, 1.0 / 3.0};
+  scenario.profile = Profile::Reference;
+  scenario.contactDistance = 0.002;
+  scenario.recoverySpeedMax = 0.2;
+  scenario.holds = {{"humerus", 1e4, 40, 0.02}};
+  Tool probe;
+  probe.id = "probe";
+  probe.name = "Probe";
+  probe.home = {{0.1, 0.2, 0.3}, Quat(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()))};
+  probe.perforates = {"cuff"};
+  Tool finger = probe;
+  finger.id = "finger";
+  finger.kind = ToolKind::Finger;
+  finger.length = 0.05;
+  finger.radius = 0.008;
+  finger.mass = 0.1;
+  finger.stiffness = 900;
+  finger.angularStiffness = 3;
+  finger.dampingRatio = 0.5;
+  finger.forceMax = 20;
+  scenario.tools = {probe, finger};
+  scenario.effects.friction = Wish::Off;
+  scenario.effects.haptics = Wish::On;
+  scenario.cameras = {{"front", "Front", {0.4, 0, 0}, {0, 0.1, 0}, {0, 0, 1}, 0.5}};
+  scenario.input = "builtin:arthroscopy";
+  scenario.seed = 4000000000u;
+  return scenario;
+}
+
+void expectSame(const Scenario& a, const Scenario& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.joint, b.joint);
+  EXPECT_EQ(a.dt, b.dt);
+  EXPECT_EQ(a.gravity_W, b.gravity_W);
+  EXPECT_EQ(a.profile, b.profile);
+  EXPECT_EQ(a.contactDistance, b.contactDistance);
+  EXPECT_EQ(a.recoverySpeedMax, b.recoverySpeedMax);
+  EXPECT_EQ(a.fixedParts, b.fixedParts);
+  EXPECT_EQ(a.holds, b.holds);
+  EXPECT_EQ(a.effects, b.effects);
+  EXPECT_EQ(a.input, b.input);
+  EXPECT_EQ(a.seed, b.seed);
+  ASSERT_EQ(a.tools.size(), b.tools.size());
+  for (std::size_t i = 0; i < a.tools.size(); ++i) {
+    const Tool &p = a.tools[i], &q = b.tools[i];
+    EXPECT_EQ(p.id, q.id);
+    EXPECT_EQ(p.name, q.name);
+    EXPECT_EQ(p.kind, q.kind);
+    EXPECT_EQ(
+        (std::array{p.length, p.radius, p.mass, p.stiffness, p.angularStiffness, p.dampingRatio, p.forceMax}),
+        (std::array{q.length, q.radius, q.mass, q.stiffness, q.angularStiffness, q.dampingRatio,
+                    q.forceMax}));
+    EXPECT_EQ(p.home.p_WB, q.home.p_WB);
+    EXPECT_EQ(p.home.q_WB.coeffs(), q.home.q_WB.coeffs());
+    EXPECT_EQ(p.perforates, q.perforates);
+  }
+  ASSERT_EQ(a.cameras.size(), b.cameras.size());
+  for (std::size_t i = 0; i < a.cameras.size(); ++i) {
+    EXPECT_EQ(a.cameras[i].id, b.cameras[i].id);
+    EXPECT_EQ(a.cameras[i].name, b.cameras[i].name);
+    EXPECT_EQ(a.cameras[i].eye_W, b.cameras[i].eye_W);
+    EXPECT_EQ(a.cameras[i].target_W, b.cameras[i].target_W);
+    EXPECT_EQ(a.cameras[i].up_W, b.cameras[i].up_W);
+    EXPECT_EQ(a.cameras[i].fieldOfView, b.cameras[i].fieldOfView);
+  }
+}
+
+const std::string kMinimal = R"({"schemaVersion": 1, "id": "a", "name": "A", "joint": "x.joint")";
+
+Error faultOf(const std::string& path) {
+  const auto loaded = loadScenario(path);
+  EXPECT_FALSE(loaded.ok()) << path;
+  return loaded.ok() ? Error{} : loaded.error();
+}
+
+TEST(ScenarioFile, whatIsSavedComesBack) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(saveScenario(sample(), folder.path("a.scenario.json")).ok());
+  const auto back = loadScenario(folder.path("a.scenario.json"));
+  ASSERT_TRUE(back.ok()) << toLogLine(back.error());
+  expectSame(*back, sample());
+}
+
+TEST(ScenarioFile, whatIsNotSaidKeepsItsDefault) {
+  const TemporaryFolder folder;
+  const auto loaded = loadScenario(folder.put("a.scenario.json", kMinimal + "}"));
+  ASSERT_TRUE(loaded.ok()) << toLogLine(loaded.error());
+  Scenario expected;
+  expected.id = "a";
+  expected.name = "A";
+  expected.joint = "x.joint";
+  expectSame(*loaded, expected);
+}
+
+TEST(ScenarioFile, aScenarioStandsOnAnother) {
+  const TemporaryFolder folder;
+  folder.put("base/base.scenario.json", kMinimal + R"(, "dt": 0.01, "input": "in.recording", "seed": 3,
+    "effects": {"contact": "off", "friction": "on"}, "fixedParts": ["p", "q"]})");
+  folder.put("middle.scenario.json", R"({"schemaVersion": 1, "extends": "base/base.scenario.json", "id": "m",
+    "effects": {"friction": "off"}, "fixedParts": ["r"]})");
+  const auto loaded = loadScenario(folder.put(
+      "top/top.scenario.json", R"({"schemaVersion": 1, "extends": "../middle.scenario.json", "dt": 0.002})"));
+  ASSERT_TRUE(loaded.ok()) << toLogLine(loaded.error());
+  EXPECT_EQ(loaded->id, "m");
+  EXPECT_EQ(loaded->name, "A");
+  EXPECT_EQ(loaded->dt, 0.002);
+  EXPECT_EQ(loaded->seed, 3u);
+  EXPECT_EQ(loaded->effects.contact, Wish::Off);
+  EXPECT_EQ(loaded->effects.friction, Wish::Off);
+  EXPECT_EQ(loaded->fixedParts, std::vector<std::string>{"r"});
+  EXPECT_EQ(loaded->joint, "../base/x.joint");  // still the joint beside base.scenario.json
+  EXPECT_EQ(loaded->input, "../base/in.recording");
+}
+
+TEST(ScenarioFile, cyclesAndDanglingReferencesAreNamed) {
+  const TemporaryFolder folder;
+  const auto extending = [&](const std::string& name, const std::string& other) {
+    return folder.put(name, std::string(R"({"schemaVersion": 1, "extends": ")").append(other).append("\"}"));
+  };
+  const Error self = faultOf(extending("self.scenario.json", "./self.scenario.json"));
+  EXPECT_EQ(self.fault, Fault::CyclicReference);
+  EXPECT_EQ(self.place.pointer, "/extends");
+  const std::string a = extending("a.scenario.json", "b.scenario.json");
+  const std::string b = extending("b.scenario.json", "sub/../a.scenario.json");
+  std::filesystem::create_directory(folder.path("sub"));
+  const Error cycle = faultOf(a);
+  EXPECT_EQ(cycle.fault, Fault::CyclicReference);
+  EXPECT_EQ(cycle.place.file, b);
+  EXPECT_EQ(cycle.arguments, Arguments{"sub/../a.scenario.json"});
+  const Error dangling = faultOf(extending("d.scenario.json", "gone.scenario.json"));
+  EXPECT_EQ(dangling.fault, Fault::FileMissing);
+  EXPECT_EQ(dangling.place.file, folder.path("gone.scenario.json"));
+  for (const char* bad : {"builtin:arthroscopy", "/etc/passwd", ""})
+    EXPECT_EQ(faultOf(extending("e.scenario.json", bad)).fault, Fault::BadReference) << bad;
+  for (int i = 0; i < 40; ++i) extending(std::to_string(i), std::to_string(i + 1));
+  EXPECT_EQ(faultOf(folder.path("0")).fault, Fault::TooDeep);
+  EXPECT_EQ(faultOf(folder.put("f", R"({"schemaVersion": 1, "extends": 3})")).fault, Fault::SchemaMismatch);
+}
+
+TEST(ScenarioFile, aFaultIsNamedInTheFileThatHoldsIt) {
+  const TemporaryFolder folder;
+  const std::string base = folder.put("base.scenario.json", kMinimal + R"(, "dt": 0.5})");
+  const std::string top =
+      folder.put("top.scenario.json", R"({"schemaVersion": 1, "extends": "base.scenario.json"})");
+  EXPECT_EQ(faultOf(top).place.file, base);
+  folder.put("base.scenario.json", kMinimal + "}");
+  folder.put("top.scenario.json", R"({"schemaVersion": 1, "extends": "base.scenario.json", "dt": -1})");
+  EXPECT_EQ(faultOf(top).place.file, top);
+  EXPECT_EQ(faultOf(top).place.pointer, "/dt");
+  folder.put("base.scenario.json", R"({"schemaVersion": 9})");
+  EXPECT_EQ(faultOf(top).fault, Fault::NewerSchema);
+  EXPECT_EQ(faultOf(top).place.file, base);
+}
+
+TEST(ScenarioFile, slipsAreNamedWithTheirPlace) {
+  struct Slip {
+    const char* members;
+    Fault fault;
+    const char* pointer;
+  };
+  const std::string tool = R"({"id": "p", "kind": "probe", "home": {"position": [0, 0, 0]}})";
+  const std::string two = std::string(R"(, "tools": [)").append(tool).append(", ").append(tool).append("]");
+  for (
+      const Slip& slip :
+      {Slip{R"(, "dt": 0)", Fault::OutOfRange, "/dt"}, Slip{R"(, "dt": 0.2)", Fault::OutOfRange, "/dt"},
+       Slip{R"(, "dt": Infinity)", Fault::NotFinite, "/dt"},
+       Slip{R"(, "gravity": [0, 1])", Fault::SchemaMismatch, "/gravity"},
+       Slip{R"(, "profile": "fast")", Fault::SchemaMismatch, "/profile"},
+       Slip{R"(, "effects": {"magic": "on"})", Fault::SchemaMismatch, "/effects"},
+       Slip{R"(, "seed": -1)", Fault::OutOfRange, "/seed"},
+       Slip{R"(, "seed": 4294967296)", Fault::OutOfRange, "/seed"},
+       Slip{two.c_str(), Fault::DuplicateId, "/tools/1/id"},
+       Slip{R"(, "holds": [{"part": "a"}, {"part": "a"}])", Fault::DuplicateId, "/holds/1/part"},
+       Slip{
+           R"(, "tools": [{"id": "p", "kind": "probe", "home": {"position": [0, 0, 0], "rotation": [0, 0, 0, 0]}}])",
+           Fault::OutOfRange, "/tools/0/home/rotation"},
+       Slip{R"(, "tools": [{"id": "p", "kind": "probe", "mass": 0, "home": {"position": [0, 0, 0]}}])",
+            Fault::OutOfRange, "/tools/0/mass"},
+       Slip{R"(, "cameras": [{"id": "c", "eye": [0, 1, 0], "target": [0, 0, 0], "up": [0, 1, 0]}])",
+            Fault::Unusable, "/cameras/0"}}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.put("a.scenario.json", kMinimal + slip.members + "}");
+    const Error error = faultOf(path);
+    EXPECT_EQ(error.fault, slip.fault) << slip.members << toLogLine(error);
+    EXPECT_EQ(error.place.pointer, slip.pointer) << slip.members;
+    EXPECT_EQ(error.place.file, path);
+  }
+}
+
+TEST(ScenarioFile, roundedQuaternionsAreMadeUnit) {
+  const TemporaryFolder folder;
+  const auto loaded = loadScenario(folder.put("a", kMinimal + R"(, "tools": [{"id": "p", "kind": "probe",
+    "home": {"position": [0, 0, 0], "rotation": [0.7071068, 0, 0, 0.7071068]}}]})"));
+  ASSERT_TRUE(loaded.ok());
+  EXPECT_NEAR(loaded->tools[0].home.q_WB.norm(), 1, 1e-15);
+}
+
+TEST(ScenarioFile, referencesIntoTheJoint) {
+  const Joint joint = sampleJoint();
+  const Place place{"a.scenario.json", "", "", {}};
+  EXPECT_TRUE(checkScenario(sample(), joint, place).ok());
+  struct Slip {
+    std::function<void(Scenario&)> change;
+    Fault fault;
+    const char* pointer;
+    Arguments arguments;
+  };
+  const std::vector<Slip> slips = {
+      {[](Scenario& s) {
+         s.fixedParts = {"cuff", "ulna"};
+       },
+       Fault::UnknownId,
+       "/fixedParts/1",
+       {"ulna", "part"}},
+      {[](Scenario& s) { s.holds[0].part = "ulna"; }, Fault::UnknownId, "/holds/0/part", {"ulna", "part"}},
+      {[](Scenario& s) { s.holds[0].part = "cuff"; }, Fault::BadReference, "/holds/0/part", {"cuff"}},
+      {[](Scenario& s) { s.fixedParts = {"humerus"}; }, Fault::BadReference, "/holds/0/part", {"humerus"}},
+      {[](Scenario& s) { s.tools[1].perforates = {"skin"}; },
+       Fault::UnknownId,
+       "/tools/1/perforates/0",
+       {"skin", "part"}}};
+  for (const Slip& slip : slips) {
+    Scenario scenario = sample();
+    slip.change(scenario);
+    const auto checked = checkScenario(scenario, joint, place);
+    ASSERT_FALSE(checked.ok()) << slip.pointer;
+    EXPECT_EQ(checked.error().fault, slip.fault) << slip.pointer;
+    EXPECT_EQ(checked.error().place.file, "a.scenario.json");
+    EXPECT_EQ(checked.error().place.pointer, slip.pointer);
+    EXPECT_EQ(checked.error().arguments, slip.arguments);
+  }
+}
+
+TEST(ScenarioFile, savingRefusesWhatCouldNotBeLoaded) {
+  const TemporaryFolder folder;
+  const std::string path = folder.put("a.scenario.json", "old");
+  Scenario scenario = sample();
+  scenario.gravity_W.y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(saveScenario(scenario, path).error().fault, Fault::NotFinite);
+  scenario = sample();
+  scenario.tools[1].id = "probe";
+  EXPECT_EQ(saveScenario(scenario, path).error().fault, Fault::DuplicateId);
+  EXPECT_EQ(folder.get("a.scenario.json"), "old");
+}
+
+}  // namespace
+}  // namespace glenoid

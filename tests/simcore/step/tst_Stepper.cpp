@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "simcore/collide/Penetration.h"
+#include "simcore/step/Stepper.h"
+#include "tests/scenes/BlockScenes.h"
+
+namespace glenoid {
+namespace {
+
+struct Session {
+  explicit Session(Profile profile = Profile::Direct, int threads = 1, bool portable = false, Scenario scenario = scenes::blockOnPlateScenario())
+      : model(compileModel(scenes::blockOnPlateJoint(), scenario).value()), stepper(model, {profile, threads, portable}), state(model->start) {}
+
+  const StepReport& step(double handY = 0.06) {
+    Pose hand = model->scenario.tools[0].home;
+    hand.p_WB.y() = handY;
+    return stepper.step({{hand}}, state);
+  }
+
+  double penetration() {
+    std::vector<std::vector<Vec3>> positions;
+    std::vector<std::span<const Vec3>> spans;
+    for (const SceneObject& object : model->objects) {
+      positions.emplace_back(object.collision.vertices.size());
+      surfacePositions(object.collision, object.layout, state.q, positions.back());
+    }
+    for (const auto& list : positions) spans.emplace_back(list);
+    return deepestPenetration(model->collisionSurfaces, model->collisionPairs, spans).depth;
+  }
+
+  std::shared_ptr<const Model> model;
+  Stepper stepper;
+  State state;
+};
+
+TEST(Stepper, theBlockComesToRestOnThePlateAndTheWeightIsCarried) {
+  Session run;
+  double support = 0, worst = 0;
+  for (int i = 0; i < 600; ++i) {
+    const StepReport& report = run.step();
+    ASSERT_TRUE(report.taken);
+    worst = std::max(worst, run.penetration());
+    support = 0;
+    for (const ContactView& contact : report.contactViews) support += std::abs(contact.normal_W.y()) * contact.force;
+  }
+  EXPECT_NEAR(support, run.model->objects[1].mass * 9.81, 1e-3 * run.model->objects[1].mass * 9.81);
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_LT(run.state.v.norm(), 1e-4);
+}
+
+TEST(Stepper, aFingerPressesTheBlockWithTheForceOfItsCoupling) {
+  Session run;
+  double force = 0, worst = 0;
+  for (int i = 0; i < 800; ++i) {
+    const double y = i < 400 ? 0.06 - 0.03 * i / 400.0 : 0.03;  // 10 mm below the top
+    const StepReport& report = run.step(y);
+    ASSERT_TRUE(report.taken);
+    force = report.toolForces[0].y();
+    worst = std::max(worst, run.penetration());
+  }
+  const int offset = run.model->objects[2].layout.qOffset;
+  const Pose start = poseAt(run.model->start.q, offset);
+  const Vec3 tip_B = start.q_WB.conjugate() * (run.model->scenario.tools[0].home.p_WB - start.p_WB);
+  const Vec3 tip = poseAt(run.state.q, offset) * tip_B;
+  EXPECT_NEAR(force, 800 * (tip.y() - 0.03), 0.02 * force);
+  EXPECT_GT(force, 1.0);
+  EXPECT_LT(worst, 1e-3);
+}
+
+TEST(Stepper, directAgreesWithTheReferenceInOneStep) {
+  Session direct, reference(Profile::Reference);
+  for (int i = 0; i < 300; ++i) direct.step(std::max(0.035, 0.06 - 1e-4 * i));
+  reference.state = direct.state;
+  const StepReport a = direct.step(0.035), b = reference.step(0.035);
+  EXPECT_GT(a.active, 0);
+  EXPECT_EQ(a.contacts, b.contacts);
+  EXPECT_LT((direct.state.v - reference.state.v).norm(), 1e-8 * (1e-3 + reference.state.v.norm()));
+}
+
+TEST(Stepper, sameInputSameBitsForAnyThreadCountAndAgain) {
+  const auto hashOf = [](int threads, bool portable) {
+    Session run(Profile::Direct, threads, portable);
+    for (int i = 0; i < 300; ++i) run.step(std::max(0.03, 0.06 - 1e-4 * i));
+    return toHex(stateHash(run.state));
+  };
+  const std::string once = hashOf(1, false);
+  EXPECT_EQ(once, hashOf(1, false));
+  EXPECT_EQ(once, hashOf(2, false));
+  EXPECT_EQ(hashOf(1, true), hashOf(2, true));
+}
+
+TEST(Stepper, aStepIsAFunctionOfTheState) {
+  Session first;
+  for (int i = 0; i < 200; ++i) first.step(0.035);
+  Session second;  // a stepper that has seen nothing continues from the same state
+  second.state = first.state;
+  first.step(0.035);
+  second.step(0.035);
+  EXPECT_EQ(toHex(stateHash(first.state)), toHex(stateHash(second.state)));
+}
+
+TEST(Stepper, aStateThatIsNotFiniteIsNotStepped) {
+  Session run;
+  run.step();
+  State broken = run.state;
+  broken.v[0] = NAN;
+  const VecX before = broken.q;
+  Inputs inputs;
+  const StepReport& report = run.stepper.step(inputs, broken);
+  EXPECT_FALSE(report.taken);
+  EXPECT_EQ(broken.q, before);
+  EXPECT_TRUE(isFinite(broken));
+  EXPECT_TRUE(run.stepper.step(inputs, broken).taken) << "the run goes on";
+}
+
+TEST(Stepper, effectsThatAreOffDoNothing) {
+  Scenario scenario = scenes::blockOnPlateScenario();
+  scenario.effects.contact = Wish::Off;
+  Session run(Profile::Direct, 1, false, scenario);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(run.step().contacts, 0);
+  EXPECT_LT(run.state.q[run.model->objects[1].layout.qOffset + 1], -0.5) << "it falls through the plate";
+  scenario.effects.gravity = Wish::Off;
+  Session floating(Profile::Direct, 1, false, scenario);
+  for (int i = 0; i < 100; ++i) floating.step();
+  EXPECT_LT((floating.state.q - floating.model->start.q).norm(), 1e-9);
+}
+
+TEST(Stepper, paperReportsHowItWent) {
+  Session run(Profile::Paper);
+  for (int i = 0; i < 150; ++i) run.step(std::max(0.035, 0.06 - 2e-4 * i));
+  const StepReport& report = run.step(0.035);
+  ASSERT_TRUE(report.taken);
+  EXPECT_GT(report.paper.cgIterations, 0);
+  EXPECT_LE(report.paper.cgResidual, 1e-6);
+  EXPECT_GT(report.paper.outerIterations, 0);
+  EXPECT_GT(report.paper.lambdaMax, 0.9);
+  EXPECT_TRUE(report.paper.d == "node" || report.paper.d == "object");
+  EXPECT_TRUE(isFinite(run.state));
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "simcore/linear/BlockCholesky.h"
+#include "simcore/tool/PoseSpring.h"
+#include "simcore/tool/ToolShape.h"
+
+namespace glenoid {
+namespace {
+
+Tool toolOf(ToolKind kind) {
+  Tool tool;
+  tool.kind = kind;
+  tool.radius = kind == ToolKind::Finger ? 0.008 : 0.0015;
+  return tool;
+}
+
+class ToolShape : public testing::TestWithParam<ToolKind> {};
+
+TEST_P(ToolShape, isClosedAndOutward) {
+  for (const int segments : {kToolCollisionSegments, kToolVisualSegments}) {
+    const TriMesh mesh = makeToolSurface(toolOf(GetParam()), segments);
+    std::map<std::pair<int, int>, int> edges;
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    for (const auto& [edge, count] : edges) {
+      EXPECT_EQ(count, 1);
+      EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+    }
+    EXPECT_GT(enclosedVolume(mesh), 0);
+  }
+}
+
+TEST_P(ToolShape, tipIsTheOriginAndTheShaftGoesUp) {
+  const Tool tool = toolOf(GetParam());
+  const Box3 box = boundsOf(makeToolSurface(tool, kToolVisualSegments));
+  EXPECT_NEAR(box.min().z(), 0, 1e-4);
+  EXPECT_NEAR(box.max().z(), tool.length, 1.2 * tool.radius);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ToolShape, testing::Values(ToolKind::Probe, ToolKind::Arthroscope, ToolKind::Finger));
+
+struct HeldBody {
+  HeldBody() {
+    properties.mass = 0.05;
+    properties.inertia = 1e-4 * Mat3::Identity();
+    body = std::make_unique<RigidObject>(ObjectLayout{true, true, 0, 7, 0, 6, 0}, properties, 0.0, false);
+    const std::array<int, 2> pair{1, 0};
+    symbolic = std::make_shared<BlockSymbolic>(2, std::span(&pair, 1));
+    state.q.resize(7);
+    setPoseAt(state.q, 0, {Vec3(0.1, 0, 0), Quat::Identity()});
+    state.v.setZero(6);
+    spring.anchor_B = Vec3(0, 0, -0.08);
+    spring.stiffness = 800;
+    spring.angularStiffness = 2;
+    spring.damping = 2 * std::sqrt(800 * 0.05);
+    spring.angularDamping = 0.1;
+  }
+  void step(const PoseTarget& target) {
+    BlockMatrix A(symbolic);
+    A.setZero();
+    VecX b = VecX::Zero(6), rotations;
+    body->assemble(settings, state, body->blockEntries(*symbolic, 0), rotations, A, b);
+    assemblePoseSpring(spring, *body, target, settings.dt, state, {symbolic->entry(0, 0), symbolic->entry(1, 1), symbolic->entry(1, 0)}, A, b);
+    BlockCholesky factor(symbolic);
+    ASSERT_TRUE(factor.factor(A));
+    factor.solve(b);
+    state.v = b;
+    body->advance(settings.dt, state);
+  }
+  MassProperties properties;
+  std::unique_ptr<RigidObject> body;
+  std::shared_ptr<const BlockSymbolic> symbolic;
+  PoseSpring spring;
+  StepSettings settings;
+  State state;
+};
+
+TEST(PoseSpring, reachesItsTargetInPlaceAndTurn) {
+  HeldBody held;
+  PoseTarget target;
+  target.anchor_W = Vec3(0.02, 0.03, -0.01);
+  target.q_WB = Quat(Eigen::AngleAxisd(2.0, Vec3(1, 1, 0).normalized()));
+  for (int i = 0; i < 2000; ++i) held.step(target);
+  const Pose pose = held.body->pose(held.state.q);
+  EXPECT_LT((pose * held.spring.anchor_B - target.anchor_W).norm(), 1e-6);
+  EXPECT_LT(pose.q_WB.angularDistance(target.q_WB), 1e-5);
+}
+
+TEST(PoseSpring, isStableAtAnyStiffness) {
+  HeldBody held;
+  held.spring.stiffness = 1e9;
+  held.spring.angularStiffness = 1e6;
+  held.spring.damping = held.spring.angularDamping = 0;
+  PoseTarget target;
+  target.anchor_W = Vec3(0.1, 0.001, -0.08);
+  for (int i = 0; i < 500; ++i) held.step(target);
+  EXPECT_TRUE(held.state.v.allFinite());
+  EXPECT_LT((held.body->pose(held.state.q) * held.spring.anchor_B - target.anchor_W).norm(), 1e-6);
+}
+
+TEST(PoseSpring, pullIsCutAtTheLargestForce) {
+  HeldBody held;
+  held.spring.forceMax = 3;
+  PoseTarget target;
+  target.anchor_W = Vec3(1, 1, 1);
+  EXPECT_NEAR(springWrench(held.spring, *held.body, target, held.state.q).head<3>().norm(), 3, 1e-12);
+}
+
+TEST(PoseSpring, aHandThatMovesEvenlyIsFollowedWithoutLag) {
+  HeldBody held;
+  PoseTarget target;
+  target.q_WB = Quat::Identity();
+  target.velocity_W = Vec3(0.05, 0, 0);
+  double lag = 0;
+  for (int i = 0; i < 1000; ++i) {
+    target.anchor_W = Vec3(0.1, 0, -0.08) + (i + 1) * held.settings.dt * target.velocity_W;
+    held.step(target);
+    lag = (held.body->pose(held.state.q) * held.spring.anchor_B - target.anchor_W).norm();
+  }
+  EXPECT_LT(lag, 0.05 * held.settings.dt * 1.01);  // at most one step's way
+}
+
+}  // namespace
+}  // namespace glenoid

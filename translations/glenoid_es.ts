@@ -1,0 +1,1132 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="es_ES">
+<context>
+    <name>glenoid::Document</name>
+    <message>
+        <source>Change the stiffness of “%1”</source>
+        <translation>Cambiar la rigidez de «%1»</translation>
+    </message>
+    <message>
+        <source>Change the coupling “%1”</source>
+        <translation>Cambiar el acoplamiento «%1»</translation>
+    </message>
+    <message>
+        <source>Change the solver</source>
+        <translation>Cambiar el método de cálculo</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::LayersPanel</name>
+    <message>
+        <source>Visual</source>
+        <translation>Visual</translation>
+    </message>
+    <message>
+        <source>Collision</source>
+        <translation>Colisión</translation>
+    </message>
+    <message>
+        <source>Dynamics</source>
+        <translation>Dinámica</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Contacts</source>
+        <translation>Contactos</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regiones</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Orientación</translation>
+    </message>
+    <message>
+        <source>Show the smooth visual surfaces</source>
+        <translation>Mostrar las superficies visuales, suavizadas</translation>
+    </message>
+    <message>
+        <source>Show the surfaces that collide, with their edges</source>
+        <translation>Mostrar las superficies que colisionan, con sus aristas</translation>
+    </message>
+    <message>
+        <source>Show the tetrahedra that deform</source>
+        <translation>Mostrar los tetraedros que se deforman</translation>
+    </message>
+    <message>
+        <source>Show the springs that couple the parts</source>
+        <translation>Mostrar los muelles que acoplan las partes</translation>
+    </message>
+    <message>
+        <source>Show where parts touch, and how hard</source>
+        <translation>Mostrar dónde se tocan las partes y con qué fuerza</translation>
+    </message>
+    <message>
+        <source>Show the named regions of the parts</source>
+        <translation>Mostrar las regiones con nombre de las partes</translation>
+    </message>
+    <message>
+        <source>Show which way is front, up and outward</source>
+        <translation>Mostrar hacia dónde están delante, arriba y afuera</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::MainWindow</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Archivo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Editar</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ver</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>&amp;Simular</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;yuda</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Partes</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Capas</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propiedades</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>Open a &amp;built-in scene</source>
+        <translation>A&amp;brir una escena incluida</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Idioma</translation>
+    </message>
+    <message>
+        <source>S&amp;olver</source>
+        <translation>Mét&amp;odo</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>&amp;Mirar desde</translation>
+    </message>
+    <message>
+        <source>File and view</source>
+        <translation>Archivo y vista</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulación</translation>
+    </message>
+    <message>
+        <source>3D view of the joint</source>
+        <translation>Vista 3D de la articulación</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Cerrar el mensaje</translation>
+    </message>
+    <message>
+        <source>Glenoid Studio</source>
+        <translation>Glenoid Studio</translation>
+    </message>
+    <message>
+        <source>%1[*] — Glenoid Studio</source>
+        <translation>%1[*] — Glenoid Studio</translation>
+    </message>
+    <message>
+        <source>Opening the scene…</source>
+        <translation>Abriendo la escena…</translation>
+    </message>
+    <message>
+        <source>Preparing the simulation…</source>
+        <translation>Preparando la simulación…</translation>
+    </message>
+    <message>
+        <source>No scene is open</source>
+        <translation>No hay ninguna escena abierta</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) could not be taken; the last good state was kept</source>
+        <translation>
+            <numerusform>No se pudo dar %n paso; se conservó el último estado válido</numerusform>
+            <numerusform>No se pudieron dar %n pasos; se conservó el último estado válido</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marcha</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>En pausa</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Cambios sin guardar</translation>
+    </message>
+    <message>
+        <source>The scene has changes that are not saved. Save them before going on?</source>
+        <translation>La escena tiene cambios sin guardar. ¿Quiere guardarlos antes de continuar?</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Abrir…</translation>
+    </message>
+    <message>
+        <source>Open a scenario file</source>
+        <translation>Abrir un archivo de escenario</translation>
+    </message>
+    <message>
+        <source>Open a &amp;joint…</source>
+        <translation>Abrir una a&amp;rticulación…</translation>
+    </message>
+    <message>
+        <source>Open a .joint folder</source>
+        <translation>Abrir una carpeta .joint</translation>
+    </message>
+    <message>
+        <source>&amp;Arthroscopy of the shoulder</source>
+        <translation>&amp;Artroscopia del hombro</translation>
+    </message>
+    <message>
+        <source>&amp;Palpation of the shoulder</source>
+        <translation>&amp;Palpación del hombro</translation>
+    </message>
+    <message>
+        <source>The &amp;shoulder alone</source>
+        <translation>El &amp;hombro solo</translation>
+    </message>
+    <message>
+        <source>Open a scene that ships with the program</source>
+        <translation>Abrir una escena incluida con el programa</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Guardar como…</translation>
+    </message>
+    <message>
+        <source>Save joint and scenario under a name</source>
+        <translation>Guardar la articulación y el escenario con un nombre</translation>
+    </message>
+    <message>
+        <source>&amp;Export picture…</source>
+        <translation>&amp;Exportar imagen…</translation>
+    </message>
+    <message>
+        <source>Save what the view shows as a PNG file</source>
+        <translation>Guardar lo que muestra la vista como archivo PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Salir</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Cerrar el programa</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Deshacer: %1</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>Deshacer el último cambio</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rehacer</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Rehacer: %1</translation>
+    </message>
+    <message>
+        <source>Make the change again</source>
+        <translation>Volver a hacer el cambio</translation>
+    </message>
+    <message>
+        <source>Select &amp;nothing</source>
+        <translation>No seleccionar &amp;nada</translation>
+    </message>
+    <message>
+        <source>Clear the selection</source>
+        <translation>Quitar la selección</translation>
+    </message>
+    <message>
+        <source>&amp;Frame selection</source>
+        <translation>&amp;Encuadrar la selección</translation>
+    </message>
+    <message>
+        <source>Bring the selected parts into view</source>
+        <translation>Traer a la vista las partes seleccionadas</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Encuadrar &amp;todo</translation>
+    </message>
+    <message>
+        <source>Bring everything into view</source>
+        <translation>Traer todo a la vista</translation>
+    </message>
+    <message>
+        <source>&amp;Home</source>
+        <translation>&amp;Inicio</translation>
+    </message>
+    <message>
+        <source>Go back to the first view of the scene</source>
+        <translation>Volver a la primera vista de la escena</translation>
+    </message>
+    <message>
+        <source>A&amp;nterior (front)</source>
+        <translation>A&amp;nterior (delante)</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior (back)</source>
+        <translation>&amp;Posterior (detrás)</translation>
+    </message>
+    <message>
+        <source>&amp;Lateral (outside)</source>
+        <translation>&amp;Lateral (fuera)</translation>
+    </message>
+    <message>
+        <source>&amp;Medial (inside)</source>
+        <translation>&amp;Medial (dentro)</translation>
+    </message>
+    <message>
+        <source>&amp;Superior (above)</source>
+        <translation>&amp;Superior (arriba)</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior (below)</source>
+        <translation>&amp;Inferior (abajo)</translation>
+    </message>
+    <message>
+        <source>Look at the joint from this side</source>
+        <translation>Mirar la articulación desde este lado</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>Tema &amp;oscuro</translation>
+    </message>
+    <message>
+        <source>Switch between dark and light colours</source>
+        <translation>Cambiar entre colores oscuros y claros</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pausar</translation>
+    </message>
+    <message>
+        <source>Hold the simulation</source>
+        <translation>Detener la simulación por un momento</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Iniciar</translation>
+    </message>
+    <message>
+        <source>Run the simulation</source>
+        <translation>Poner en marcha la simulación</translation>
+    </message>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Paso</translation>
+    </message>
+    <message>
+        <source>Take a single simulation step</source>
+        <translation>Dar un solo paso de simulación</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Restablecer</translation>
+    </message>
+    <message>
+        <source>Put everything back to the start</source>
+        <translation>Devolver todo al principio</translation>
+    </message>
+    <message>
+        <source>&amp;As published</source>
+        <translation>&amp;Como se publicó</translation>
+    </message>
+    <message>
+        <source>The method of the paper, step by step</source>
+        <translation>El método del artículo, paso a paso</translation>
+    </message>
+    <message>
+        <source>&amp;Reference</source>
+        <translation>&amp;Referencia</translation>
+    </message>
+    <message>
+        <source>Slow and exact; measures the error of the others</source>
+        <translation>Lento y exacto; mide el error de los demás</translation>
+    </message>
+    <message>
+        <source>&amp;Direct</source>
+        <translation>&amp;Directo</translation>
+    </message>
+    <message>
+        <source>Fast and exact; the one to work with</source>
+        <translation>Rápido y exacto; el indicado para trabajar</translation>
+    </message>
+    <message>
+        <source>&amp;About Glenoid Studio</source>
+        <translation>&amp;Acerca de Glenoid Studio</translation>
+    </message>
+    <message>
+        <source>What this program is, and is not</source>
+        <translation>Qué es este programa y qué no es</translation>
+    </message>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Abrir un escenario</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.scenario.json);;All files (*)</source>
+        <translation>Escenarios (*.scenario.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Open a joint folder</source>
+        <translation>Abrir una carpeta de articulación</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Guardar la escena</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.scenario.json)</source>
+        <translation>Escenarios (*.scenario.json)</translation>
+    </message>
+    <message>
+        <source>Export a picture</source>
+        <translation>Exportar una imagen</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Imágenes (*.png)</translation>
+    </message>
+    <message>
+        <source>About Glenoid Studio</source>
+        <translation>Acerca de Glenoid Studio</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Glenoid Studio&lt;/h3&gt;&lt;p&gt;Author interactive simulations of human joints, and train on them.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Glenoid Studio&lt;/h3&gt;&lt;p&gt;Cree simulaciones interactivas de articulaciones humanas y entrene con ellas.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;This is a training aid, not a medical device. Do not use it for diagnosis, for treatment or to plan an operation.&lt;/p&gt;&lt;p&gt;The method follows Otaduy, Garre, Gascón, Miguel, Pérez and Zurdo, “Modeling and Simulation of a Human Shoulder for Interactive Medical Applications”, CEIG 2010.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Esto es una ayuda para el entrenamiento, no un producto sanitario. No lo use para diagnosticar, para tratar ni para planificar una operación.&lt;/p&gt;&lt;p&gt;El método sigue a Otaduy, Garre, Gascón, Miguel, Pérez y Zurdo, «Modeling and Simulation of a Human Shoulder for Interactive Medical Applications», CEIG 2010.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PartTree</name>
+    <message>
+        <source>Tools</source>
+        <translation>Herramientas</translation>
+    </message>
+    <message>
+        <source>Parts and tools</source>
+        <translation>Partes y herramientas</translation>
+    </message>
+    <message>
+        <source>Check a part to see it; click selects, Ctrl and Shift select several.</source>
+        <translation>Marque una parte para verla; un clic selecciona, Ctrl y Mayús seleccionan varias.</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity</source>
+        <translation>&amp;Opacidad</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected parts</source>
+        <translation>Opacidad de las partes seleccionadas</translation>
+    </message>
+    <message>
+        <source>How solid the selected parts are drawn</source>
+        <translation>Cuán sólidas se dibujan las partes seleccionadas</translation>
+    </message>
+    <message>
+        <source>S&amp;olo</source>
+        <translation>S&amp;olo esto</translation>
+    </message>
+    <message>
+        <source>Show only the selected parts</source>
+        <translation>Mostrar solo las partes seleccionadas</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Mostr&amp;ar todo</translation>
+    </message>
+    <message>
+        <source>Make every part visible and solid again</source>
+        <translation>Volver a mostrar todas las partes, sólidas</translation>
+    </message>
+    <message>
+        <source>Rigid parts</source>
+        <translation>Partes rígidas</translation>
+    </message>
+    <message>
+        <source>Soft parts</source>
+        <translation>Partes blandas</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PropertiesPanel</name>
+    <message>
+        <source>No scene is open. Choose File ▸ Open… to begin.</source>
+        <translation>No hay ninguna escena abierta. Elija Archivo ▸ Abrir… para empezar.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Joint:</source>
+        <translation>Articulación:</translation>
+    </message>
+    <message>
+        <source>Parts:</source>
+        <translation>Partes:</translation>
+    </message>
+    <message>
+        <source>Visual triangles:</source>
+        <translation>Triángulos visuales:</translation>
+    </message>
+    <message>
+        <source>Tetrahedra:</source>
+        <translation>Tetraedros:</translation>
+    </message>
+    <message>
+        <source>Couplings:</source>
+        <translation>Acoplamientos:</translation>
+    </message>
+    <message>
+        <source>Time step:</source>
+        <translation>Paso de tiempo:</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Efectos</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activado</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Parte</translation>
+    </message>
+    <message>
+        <source>Number:</source>
+        <translation>Número:</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Tipo:</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>blanda</translation>
+    </message>
+    <message>
+        <source>rigid, fixed in the room</source>
+        <translation>rígida, fija en el espacio</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>rígida</translation>
+    </message>
+    <message>
+        <source>Collision triangles:</source>
+        <translation>Triángulos de colisión:</translation>
+    </message>
+    <message>
+        <source>Nodes:</source>
+        <translation>Nodos:</translation>
+    </message>
+    <message>
+        <source>Cell size:</source>
+        <translation>Tamaño de celda:</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Size:</source>
+        <translation>Tamaño:</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Mass:</source>
+        <translation>Masa:</translation>
+    </message>
+    <message>
+        <source>%1 g</source>
+        <translation>%1 g</translation>
+    </message>
+    <message>
+        <source>Material: %1</source>
+        <translation>Material: %1</translation>
+    </message>
+    <message>
+        <source>Where:</source>
+        <translation>Dónde:</translation>
+    </message>
+    <message>
+        <source>Density:</source>
+        <translation>Densidad:</translation>
+    </message>
+    <message>
+        <source>%1 kg/m³</source>
+        <translation>%1 kg/m³</translation>
+    </message>
+    <message>
+        <source>kPa</source>
+        <translation>kPa</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of %1</source>
+        <translation>Módulo de Young de %1</translation>
+    </message>
+    <message>
+        <source>How hard it is to stretch. Every part made of this material changes with it.</source>
+        <translation>Cuánto cuesta estirarlo. Todas las partes de este material cambian con él.</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus:</source>
+        <translation>Módulo de Young:</translation>
+    </message>
+    <message>
+        <source>Poisson&apos;s ratio:</source>
+        <translation>Coeficiente de Poisson:</translation>
+    </message>
+    <message>
+        <source>Friction:</source>
+        <translation>Rozamiento:</translation>
+    </message>
+    <message>
+        <source>Literature:</source>
+        <translation>Literatura:</translation>
+    </message>
+    <message>
+        <source>%1 kPa</source>
+        <translation>%1 kPa</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Fuente: %1</translation>
+    </message>
+    <message>
+        <source>Coupled to %1</source>
+        <translation>Acoplada a %1</translation>
+    </message>
+    <message>
+        <source>Over:</source>
+        <translation>Sobre:</translation>
+    </message>
+    <message>
+        <source>Area:</source>
+        <translation>Área:</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>N/mm per cm²</source>
+        <translation>N/mm por cm²</translation>
+    </message>
+    <message>
+        <source>Stiffness of the coupling</source>
+        <translation>Rigidez del acoplamiento</translation>
+    </message>
+    <message>
+        <source>Stiffness:</source>
+        <translation>Rigidez:</translation>
+    </message>
+    <message>
+        <source>Springs:</source>
+        <translation>Muelles:</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Herramienta</translation>
+    </message>
+    <message>
+        <source>Length:</source>
+        <translation>Longitud:</translation>
+    </message>
+    <message>
+        <source>Diameter:</source>
+        <translation>Diámetro:</translation>
+    </message>
+    <message>
+        <source>Hand stiffness:</source>
+        <translation>Rigidez de la mano:</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>Largest pull:</source>
+        <translation>Tirón máximo:</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::SceneView</name>
+    <message>
+        <source>3D view of the joint</source>
+        <translation>Vista 3D de la articulación</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::Sentences</name>
+    <message>
+        <source>There is no such file or folder.</source>
+        <translation>No existe ese archivo o carpeta.</translation>
+    </message>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>El archivo no se puede leer.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written.</source>
+        <translation>El archivo no se puede escribir.</translation>
+    </message>
+    <message>
+        <source>The file is empty.</source>
+        <translation>El archivo está vacío.</translation>
+    </message>
+    <message>
+        <source>The file ends before its own header says it should.</source>
+        <translation>El archivo termina antes de lo que dice su propia cabecera.</translation>
+    </message>
+    <message>
+        <source>The file is too large: %1, where at most %2 is accepted.</source>
+        <translation>El archivo es demasiado grande: %1, cuando se acepta como máximo %2.</translation>
+    </message>
+    <message>
+        <source>The text is not valid JSON: line %1, column %2.</source>
+        <translation>El texto no es JSON válido: línea %1, columna %2.</translation>
+    </message>
+    <message>
+        <source>The text is nested more deeply than any sensible file.</source>
+        <translation>El texto está anidado más profundamente que cualquier archivo razonable.</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer version: it says schema %1, this program knows up to %2.</source>
+        <translation>El archivo lo escribió una versión más nueva: indica el esquema %1 y este programa conoce hasta el %2.</translation>
+    </message>
+    <message>
+        <source>The content does not have the expected form: %1.</source>
+        <translation>El contenido no tiene la forma esperada: %1.</translation>
+    </message>
+    <message>
+        <source>A number is not finite.</source>
+        <translation>Un número no es finito.</translation>
+    </message>
+    <message>
+        <source>The value %1 is outside the range from %2 to %3.</source>
+        <translation>El valor %1 está fuera del intervalo de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>“%1” is referred to as %2, but nothing has that name.</source>
+        <translation>Se hace referencia a «%1» como %2, pero nada tiene ese nombre.</translation>
+    </message>
+    <message>
+        <source>The name “%1” is used twice.</source>
+        <translation>El nombre «%1» se usa dos veces.</translation>
+    </message>
+    <message>
+        <source>“%1” refers back to itself.</source>
+        <translation>«%1» se refiere a sí mismo.</translation>
+    </message>
+    <message>
+        <source>A reference leaves its folder or points at the wrong kind of thing.</source>
+        <translation>Una referencia sale de su carpeta o apunta a algo de otro tipo.</translation>
+    </message>
+    <message>
+        <source>The mesh cannot be used: %1.</source>
+        <translation>La malla no se puede usar: %1.</translation>
+    </message>
+    <message>
+        <source>A tetrahedron has no positive volume (%1).</source>
+        <translation>Un tetraedro no tiene volumen positivo (%1).</translation>
+    </message>
+    <message>
+        <source>The surface is not closed: open edges: %1.</source>
+        <translation>La superficie no está cerrada: aristas abiertas: %1.</translation>
+    </message>
+    <message>
+        <source>Index %1 is outside a list of %2 entries.</source>
+        <translation>El índice %1 está fuera de una lista de %2 elementos.</translation>
+    </message>
+    <message>
+        <source>The content is not what its name promises; the file was changed or damaged.</source>
+        <translation>El contenido no es el que promete su nombre; el archivo se cambió o se dañó.</translation>
+    </message>
+    <message>
+        <source>The format of the file is not known.</source>
+        <translation>El formato del archivo es desconocido.</translation>
+    </message>
+    <message>
+        <source>The coupling has %1 springs and needs at least %2 that do not lie on a line.</source>
+        <translation>El acoplamiento tiene %1 muelles y necesita al menos %2 que no estén en una recta.</translation>
+    </message>
+    <message>
+        <source>The scene cannot be simulated: %1.</source>
+        <translation>La escena no se puede simular: %1.</translation>
+    </message>
+    <message>
+        <source>The command cannot be understood: %1.</source>
+        <translation>No se entiende la orden: %1.</translation>
+    </message>
+    <message>
+        <source>No OpenGL 3.3 context could be made, so nothing can be drawn in 3D.</source>
+        <translation>No se pudo crear un contexto de OpenGL 3.3, así que no se puede dibujar nada en 3D.</translation>
+    </message>
+    <message>
+        <source>The work was stopped as you asked; nothing was changed.</source>
+        <translation>El trabajo se detuvo como pidió; no se cambió nada.</translation>
+    </message>
+    <message>
+        <source>A check did not hold: %1.</source>
+        <translation>Una comprobación no se cumplió: %1.</translation>
+    </message>
+    <message>
+        <source>Something went wrong inside the program; this is an error of ours.</source>
+        <translation>Algo falló dentro del programa; es un error nuestro.</translation>
+    </message>
+    <message>
+        <source>Check the path and the spelling.</source>
+        <translation>Compruebe la ruta y la ortografía.</translation>
+    </message>
+    <message>
+        <source>Check that it is a file and that you are allowed to read it.</source>
+        <translation>Compruebe que es un archivo y que tiene permiso para leerlo.</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, that you may write there and that the disk has room.</source>
+        <translation>Compruebe que la carpeta existe, que puede escribir en ella y que hay espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Save or copy it again.</source>
+        <translation>Guárdelo o cópielo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Copy or download it again; the first try stopped half way.</source>
+        <translation>Cópielo o descárguelo de nuevo; el primer intento se quedó a medias.</translation>
+    </message>
+    <message>
+        <source>Simplify the mesh before you bring it in.</source>
+        <translation>Simplifique la malla antes de traerla.</translation>
+    </message>
+    <message>
+        <source>Correct the text at that place.</source>
+        <translation>Corrija el texto en ese lugar.</translation>
+    </message>
+    <message>
+        <source>Check that it is the file you meant.</source>
+        <translation>Compruebe que es el archivo que quería.</translation>
+    </message>
+    <message>
+        <source>Update Glenoid Studio to open it.</source>
+        <translation>Actualice Glenoid Studio para abrirlo.</translation>
+    </message>
+    <message>
+        <source>Correct that entry; the schemas that ship with the program describe the form.</source>
+        <translation>Corrija esa entrada; los esquemas incluidos con el programa describen la forma.</translation>
+    </message>
+    <message>
+        <source>Replace it by an ordinary number.</source>
+        <translation>Sustitúyalo por un número corriente.</translation>
+    </message>
+    <message>
+        <source>Choose a value inside the range.</source>
+        <translation>Elija un valor dentro del intervalo.</translation>
+    </message>
+    <message>
+        <source>Correct the name, or add what is missing.</source>
+        <translation>Corrija el nombre o añada lo que falta.</translation>
+    </message>
+    <message>
+        <source>Give one of the two another name.</source>
+        <translation>Dé otro nombre a uno de los dos.</translation>
+    </message>
+    <message>
+        <source>Remove one of the references of the circle.</source>
+        <translation>Quite una de las referencias del círculo.</translation>
+    </message>
+    <message>
+        <source>Refer to something of the right kind inside the folder.</source>
+        <translation>Haga referencia a algo del tipo correcto dentro de la carpeta.</translation>
+    </message>
+    <message>
+        <source>Repair the mesh in the program that made it and bring it in again.</source>
+        <translation>Repare la malla en el programa que la creó y tráigala de nuevo.</translation>
+    </message>
+    <message>
+        <source>Build the volume again, or choose another cell size.</source>
+        <translation>Construya el volumen de nuevo o elija otro tamaño de celda.</translation>
+    </message>
+    <message>
+        <source>Close the holes, so that inside and outside can be told apart.</source>
+        <translation>Cierre los agujeros para que se distinga el interior del exterior.</translation>
+    </message>
+    <message>
+        <source>The file was cut or edited; write it again from its source.</source>
+        <translation>El archivo se cortó o se editó; escríbalo de nuevo desde su origen.</translation>
+    </message>
+    <message>
+        <source>Restore the original file, or save the joint again.</source>
+        <translation>Restaure el archivo original o guarde de nuevo la articulación.</translation>
+    </message>
+    <message>
+        <source>Use a .joint folder, a .scenario.json, or a PLY or VTK mesh.</source>
+        <translation>Use una carpeta .joint, un .scenario.json o una malla PLY o VTK.</translation>
+    </message>
+    <message>
+        <source>Enlarge the region of the coupling, or use smaller cells.</source>
+        <translation>Amplíe la región del acoplamiento o use celdas más pequeñas.</translation>
+    </message>
+    <message>
+        <source>Change the part or the setting that is named.</source>
+        <translation>Cambie la parte o el ajuste que se nombra.</translation>
+    </message>
+    <message>
+        <source>“glenoid --help” lists what can be said.</source>
+        <translation>«glenoid --help» enumera lo que se puede pedir.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver, or use the command line, which needs no display.</source>
+        <translation>Actualice el controlador gráfico o use la línea de órdenes, que no necesita pantalla.</translation>
+    </message>
+    <message>
+        <source>Start it again whenever you like.</source>
+        <translation>Puede volver a empezarlo cuando quiera.</translation>
+    </message>
+    <message>
+        <source>Look at the report for the figures behind it.</source>
+        <translation>Consulte en el informe las cifras correspondientes.</translation>
+    </message>
+    <message>
+        <source>Please report it with the log, and save your work under another name.</source>
+        <translation>Comuníquelo junto con el registro y guarde su trabajo con otro nombre.</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>en %1</translation>
+    </message>
+    <message>
+        <source>in “%1”</source>
+        <translation>en «%1»</translation>
+    </message>
+    <message>
+        <source>element %1</source>
+        <translation>elemento %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>switched on by the scenario</source>
+        <translation>activado por el escenario</translation>
+    </message>
+    <message>
+        <source>switched off by the scenario</source>
+        <translation>desactivado por el escenario</translation>
+    </message>
+    <message>
+        <source>the scene holds something it acts on</source>
+        <translation>la escena contiene algo sobre lo que actúa</translation>
+    </message>
+    <message>
+        <source>nothing in the scene for it to act on</source>
+        <translation>no hay nada en la escena sobre lo que actúe</translation>
+    </message>
+    <message>
+        <source>not available in this version</source>
+        <translation>no disponible en esta versión</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Gravedad</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Contacto</translation>
+    </message>
+    <message>
+        <source>Self-contact</source>
+        <translation>Autocontacto</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Rozamiento</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortiguamiento</translation>
+    </message>
+    <message>
+        <source>Haptics</source>
+        <translation>Háptica</translation>
+    </message>
+    <message>
+        <source>Bursa</source>
+        <translation>Bolsa sinovial</translation>
+    </message>
+    <message>
+        <source>Skin layer</source>
+        <translation>Capa de piel</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StatusFigures</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 % of real time</source>
+        <translation>%1 % del tiempo real</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>en pausa</translation>
+    </message>
+    <message>
+        <source>%1 steps/s</source>
+        <translation>%1 pasos/s</translation>
+    </message>
+    <message>
+        <source>%1 ms/step</source>
+        <translation>%1 ms/paso</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n contact(s)</source>
+        <translation>
+            <numerusform>%n contacto</numerusform>
+            <numerusform>%n contactos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n island(s)</source>
+        <translation>
+            <numerusform>%n isla</numerusform>
+            <numerusform>%n islas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>Simulated time</source>
+        <translation>Tiempo simulado</translation>
+    </message>
+    <message>
+        <source>How fast the simulation runs against the clock; below 100 % it is too slow for this computer</source>
+        <translation>Velocidad de la simulación respecto al reloj; por debajo del 100 % es demasiado lenta para este equipo</translation>
+    </message>
+    <message>
+        <source>Simulation steps in one second</source>
+        <translation>Pasos de simulación en un segundo</translation>
+    </message>
+    <message>
+        <source>Time that one step takes, mean of the last half second</source>
+        <translation>Tiempo que tarda un paso, media del último medio segundo</translation>
+    </message>
+    <message>
+        <source>Contacts of the last step, of which %1 press</source>
+        <translation>Contactos del último paso, de los cuales %1 hacen presión</translation>
+    </message>
+    <message>
+        <source>Groups of parts that touch each other</source>
+        <translation>Grupos de partes que se tocan entre sí</translation>
+    </message>
+    <message>
+        <source>Pictures drawn in the last second; none are drawn while nothing changes</source>
+        <translation>Imágenes dibujadas en el último segundo; no se dibuja ninguna mientras nada cambia</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ToolPanel</name>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Choose a tool, then drag with the left button in the view. The wheel moves it in depth while you drag, Ctrl+wheel at any time.</source>
+        <translation>Elija una herramienta y arrastre con el botón izquierdo en la vista. La rueda la mueve en profundidad mientras arrastra; Ctrl+rueda, en cualquier momento.</translation>
+    </message>
+    <message>
+        <source>This scene has no tools.</source>
+        <translation>Esta escena no tiene herramientas.</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the recorded input</source>
+        <translation>&amp;Seguir la entrada grabada</translation>
+    </message>
+    <message>
+        <source>Tools that nobody holds move as they were recorded</source>
+        <translation>Las herramientas que nadie sostiene se mueven como se grabaron</translation>
+    </message>
+    <message>
+        <source>Contact force on this tool</source>
+        <translation>Fuerza de contacto sobre esta herramienta</translation>
+    </message>
+    <message>
+        <source>Move this tool with the mouse</source>
+        <translation>Mover esta herramienta con el ratón</translation>
+    </message>
+</context>
+</TS>
