@@ -9,6 +9,7 @@
 #include "simcore/collide/ProximityFinder.h"
 #include "simcore/contact/ContactIslands.h"
 #include "simcore/contact/ContactRows.h"
+#include "simcore/contact/Coulomb.h"
 #include "simcore/contact/ImpulseResponse.h"
 #include "simcore/contact/Lcp.h"
 #include "simcore/linear/ConjugateGradients.h"
@@ -45,19 +46,29 @@ struct IslandWork {
   Splitting byNode, byObject;                 ///< paper profile only
   Splitting* splitting = nullptr;             ///< the one in use this step
   VecX b, v;                                  ///< right-hand side; velocities, first unconstrained
-  VecX residual, base, change;                ///< scratch, as long as b
-  IslandRows rows;
-  std::vector<int> rowIds;                    ///< place of each row in its contact island
-  std::vector<double> lambda;                 ///< of each row
+  VecX residual, change;                      ///< scratch, as long as b
+  VecX base;                                  ///< the unconstrained velocities
+  IslandRows rows;                            ///< normal row of each contact
+  IslandRows tangents;                        ///< two rows of each chosen contact that has friction
+  std::vector<SparseRow> chosen;              ///< rows that are unknowns of the contact problem
+  std::vector<int> chosenIds;                 ///< their places among its unknowns
+  std::vector<double> lambda;                 ///< their impulses, N·s
   CgWork cg;
   PowerWork power;
 };
 
 /// One contact of the step: the detector's pair, as points of two objects.
 struct StepContact {
-  int objectA, objectB, islandA, islandB;
+  int objectA = -1, objectB = -1, islandA = -1, islandB = -1;
   MaterialPoint a, b;
-  double target;  ///< c of J v ≥ c, m/s
+  double target = 0;                     ///< c of J v ≥ c, m/s
+  double speed = 0;                      ///< J v − c, m/s
+  double coefficient = 0;                ///< Coulomb's; 0 where friction is off
+  std::array<Vec3, 2> tangent_W;         ///< set where friction is on
+  double impulse = 0;                    ///< along the normal, N·s: last step's, then this one's
+  Vec3 friction_W = Vec3::Zero();        ///< tangential impulse on a, N·s, likewise
+  bool chosen = false;                   ///< an unknown of the problem
+  int unknown = -1;                      ///< its place in Work::unknowns
 };
 
 /// Adds thread CPU time to a stage of the report while it lives.
@@ -100,11 +111,14 @@ struct Stepper::Work {
   std::vector<StepContact> contacts;
   std::vector<std::array<int, 2>> sides;
   std::unique_ptr<ContactIslandBuilder> islandBuilder;
-  std::vector<int> placeOfContact;    ///< in its contact island
-  VecX impulses;                      ///< of each contact, N·s
+  std::vector<ContactUnknowns> unknowns;  ///< of the contact island at hand
+  std::vector<int> unknownContacts;       ///< their contacts
+  int tangentialRows = 0;
   MatX W;
   VecX d, lambda;
+  VecX target;                            ///< paper profile: d without J v
   LcpWork lcp;
+  CoulombWork coulomb;
 
   void findProximities(const State& state);
 };
@@ -115,10 +129,22 @@ void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& sta
 bool solveUnconstrained(Stepper::Work& work, const State& state);
 /// Turns what the detector found into rows.
 void buildContacts(Stepper::Work& work, const State& state);
+/// The row of contact c along `direction` (on a, against it on b) for one or two coupling islands; false where
+/// nothing that it touches can move.
+bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
+                      IslandRows IslandWork::* rowsOf);
 /// One complementarity problem for each contact island; velocities become the constrained ones.
 void solveConstrained(Stepper::Work& work, const State& state);
+/// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
+int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
+/// Solves for λ with the n unknowns in W and d.
+LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);
+/// λ back to the contacts.
+void takeImpulses(Stepper::Work& work);
+/// Contacts and tool forces of the report.
+void showContacts(Stepper::Work& work);
 /// The published splitting for one contact island, in place of the direct solve.
-void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island);
+void solveContactIslandBySplitting(Stepper::Work& work, const State& state, const ContactIsland& island);
 /// Prepares the splittings of an island at construction, and this step's D with its factor.
 void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, bool portable, IslandWork& island);
 void chooseSplitting(Stepper::Work& work, IslandWork& island);

@@ -18,6 +18,7 @@ const char* stageName(Stage stage) {
     case Stage::Islands: return "islands";
     case Stage::Delassus: return "delassus";
     case Stage::Contact: return "contact";
+    case Stage::Friction: return "friction";
     case Stage::Integrate: return "integrate";
     case Stage::Count: break;
   }
@@ -98,7 +99,8 @@ void integrate(Stepper::Work& work, const Inputs& inputs, State& state) {
   state.impulses.clear();
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
-      if (work.impulses[c] > 0) state.impulses.push_back({(*work.proximities)[c].key, work.impulses[c]});
+      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0)
+        state.impulses.push_back({(*work.proximities)[c].key, contact.impulse, contact.friction_W});
   for (std::size_t tool = 0; tool < inputs.hands.size() && 7 * (tool + 1) <= static_cast<std::size_t>(state.hands.size()); ++tool)
     setPoseAt(state.hands, 7 * static_cast<int>(tool), inputs.hands[tool]);
 }

@@ -21,10 +21,11 @@ struct ContactView {
   Vec3 normal_W = Vec3::UnitY(); ///< from b to a
   double gap = 0;                ///< m, before the step
   double force = 0;              ///< N, λ/Δt; > 0: active
+  Vec3 friction_W = Vec3::Zero();  ///< N, on a; zero where friction is off
 };
 
 /// The stages whose time is taken.
-enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Integrate, Count };
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Integrate, Count };
 inline constexpr int kStageCount = static_cast<int>(Stage::Count);
 const char* stageName(Stage stage);
 
@@ -47,7 +48,7 @@ struct StepReport {
   int droppedRows = 0;            ///< contacts that nothing can move
   int pivotsExhausted = 0;        ///< contact islands that fell back to PGS
   double residual = 0;            ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands
-  double complementarity = 0;     ///< worst |min(λ scaled, Jv − c)|, m/s
+  double complementarity = 0;     ///< worst distance of an impulse from its own projection, m/s
   std::array<double, kStageCount> cpuMs{};  ///< thread CPU time
   double stepCpuMs = 0, stepWallMs = 0;
   PaperReport paper;

@@ -68,7 +68,7 @@ TEST(Compile, effectsSayWhy) {
   EXPECT_TRUE(model->effectOn("contact"));
   for (const EffectPlan& effect : model->effects) {
     if (effect.name == "gravity") EXPECT_EQ(effect.reason, "asked-off");
-    if (effect.name == "friction") EXPECT_EQ(effect.reason, "not-built");
+    if (effect.name == "friction") EXPECT_EQ(effect.reason, "nothing-to-act-on") << "all surfaces are smooth";
     if (effect.name == "couplings") EXPECT_EQ(effect.reason, "auto-present");
   }
 }
