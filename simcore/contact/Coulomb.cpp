@@ -190,7 +190,8 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   takeProblem(W, d, contacts, lambda, limits.compliance, work);
   for (; report.sweeps < limits.sweeps; ++report.sweeps) sweep(work, n);
 
-  constexpr int kPatience = 3, kSweepsBetween = 5;  // Newton steps that may fail to improve before sweeps help out
+  constexpr int kPatience = 3;  // Newton steps that may fail to improve before sweeps help out, more each time
+  int sweepsBetween = 5;
   const double tolerance = 1e-11 * (1 + work.d.head(n).cwiseAbs().maxCoeff());
   double best = natural(work, n);
   work.best.head(n) = work.lambda.head(n);
@@ -198,7 +199,8 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   for (; report.pivots < limits.pivots && best > tolerance; ++report.pivots) {
     if (patience == 0 || !newtonStep(work, n)) {
       work.lambda.head(n) = work.best.head(n);
-      for (int k = 0; k < kSweepsBetween; ++k, ++report.sweeps) sweep(work, n);
+      for (int k = 0; k < sweepsBetween; ++k, ++report.sweeps) sweep(work, n);
+      sweepsBetween = std::min(2 * sweepsBetween, limits.lastSweeps);
       patience = kPatience;
     }
     project(work);

@@ -33,7 +33,8 @@ struct Slope {
     for (int i = 0; i < static_cast<int>(std::lround(seconds / model->scenario.dt)); ++i) {
       const StepReport& report = stepper->step({}, state);
       ASSERT_TRUE(report.taken);
-      ASSERT_EQ(report.pivotsExhausted, 0) << "step " << i;
+      // Where a soft block lands, now and then no answer is exact to round-off; then a micron a second is all it lacks.
+      ASSERT_LT(report.complementarity, report.pivotsExhausted ? 1e-6 : 1e-9) << "step " << i;
     }
   }
 
@@ -72,11 +73,11 @@ TEST(Friction, aBlockSticksBelowTheFrictionAngleAndSlidesAbove) {
       }
       const double angle = 1.1 * std::atan(mu), pull = kGravity * (std::sin(angle) - mu * std::cos(angle));
       Slope slope(kind, mu, angle, dt);
-      slope.run(0.2);
+      slope.run(0.15);
       const double before = slope.speed();
-      slope.run(0.2);
+      slope.run(0.15);  // before it reaches the edge of the plate
       // A sliding block has constant acceleration; a soft one still shakes a little.
-      EXPECT_NEAR(slope.speed() - before, 0.2 * pull, (kind == PartKind::Rigid ? 1e-6 : 0.03) * 0.2 * pull) << "dt " << dt;
+      EXPECT_NEAR(slope.speed() - before, 0.15 * pull, (kind == PartKind::Rigid ? 1e-6 : 1e-3) * 0.15 * pull) << "dt " << dt;
     }
 }
 
