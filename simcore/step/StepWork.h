@@ -86,6 +86,7 @@ struct Stepper::Work {
   StepReport report;
   std::vector<IslandWork> islands;
   VecX rotations;
+  std::vector<Pose> hands;            ///< of each tool, as this step takes them
 
   // Collision, filled by its own thread where there are two.
   std::unique_ptr<ProximityFinder> finder;
@@ -110,7 +111,7 @@ struct Stepper::Work {
 };
 
 /// Forces, A and b of each coupling island.
-void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& state);
+void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.
 bool solveUnconstrained(Stepper::Work& work, const State& state);
 /// Turns what the detector found into rows.
@@ -121,6 +122,8 @@ void solveConstrained(Stepper::Work& work, const State& state);
 void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island);
 /// Prepares the splittings of an island at construction, and this step's D with its factor.
 void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, bool portable, IslandWork& island);
+/// The hands of this step: what came in, or the last pose where that is no pose of a hand.
+void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
 void chooseSplitting(Stepper::Work& work, IslandWork& island);
 
 }  // namespace glenoid

@@ -44,6 +44,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   }
   work.islandBuilder = std::make_unique<ContactIslandBuilder>(static_cast<int>(work.islands.size()));
   work.report.toolForces.resize(work.model->scenario.tools.size());
+  work.hands.resize(work.model->scenario.tools.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
   work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs);
   for (const SceneObject& object : work.model->objects) {
@@ -84,7 +85,7 @@ bool velocitiesFinite(const std::vector<IslandWork>& islands) {
 }
 
 /// Writes velocities back and moves everything by them.
-void integrate(Stepper::Work& work, const Inputs& inputs, State& state) {
+void integrate(Stepper::Work& work, State& state) {
   const StageClock clock(work.report, Stage::Integrate);
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
     const CouplingIslandModel& island = work.inside->islands[i];
@@ -99,8 +100,7 @@ void integrate(Stepper::Work& work, const Inputs& inputs, State& state) {
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
       if (work.impulses[c] > 0) state.impulses.push_back({(*work.proximities)[c].key, work.impulses[c]});
-  for (std::size_t tool = 0; tool < inputs.hands.size() && 7 * (tool + 1) <= static_cast<std::size_t>(state.hands.size()); ++tool)
-    setPoseAt(state.hands, 7 * static_cast<int>(tool), inputs.hands[tool]);
+  for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
 }
 
 /// The last good state stays where it is; rest is the one velocity that is certainly harmless.
@@ -117,7 +117,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   const auto wallBegin = std::chrono::steady_clock::now();
   const double cpuBegin = StageClock::nowMs();
   report.taken = true;
-  report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
+  report.refusedHands = report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
   report.cpuMs.fill(0);
   report.paper = {};
@@ -129,7 +129,8 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
     work.stateSeen = &state;
     work.worker->start();  // finding what is near needs positions only, so it runs beside the free solve
   }
-  assembleIslands(work, inputs, state);
+  takeHands(work, inputs, state);
+  assembleIslands(work, state);
   bool good = solveUnconstrained(work, state);
   if (work.inside->contact) {
     if (work.worker)
@@ -145,7 +146,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   }
   good = good && velocitiesFinite(work.islands);
   if (good)
-    integrate(work, inputs, state);
+    integrate(work, state);
   else
     rejectStep(state);
   report.taken = good;

@@ -42,6 +42,7 @@ struct PaperReport {
 /// What one step did. Valid until the next step of the same Stepper.
 struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
+  int refusedHands = 0;           ///< inputs that were no pose of a hand (NaN, 1e30): the last pose stood for them
   int contacts = 0, active = 0;
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move
