@@ -45,6 +45,7 @@ struct IslandWork {
   Splitting byNode, byObject;                 ///< paper profile only
   Splitting* splitting = nullptr;             ///< the one in use this step
   VecX b, v;                                  ///< right-hand side; velocities, first unconstrained
+  VecX free;                                  ///< the unconstrained ones, for a second solve
   VecX residual, base, change;                ///< scratch, as long as b
   IslandRows rows;
   std::vector<int> rowIds;                    ///< place of each row in its contact island
@@ -85,13 +86,20 @@ struct Stepper::Work {
   PaperLimits paper;
   StepReport report;
   std::vector<IslandWork> islands;
-  VecX rotations;
   std::vector<Pose> hands;            ///< of each tool, as this step takes them
+  VecX rotations;
 
-  // Collision, filled by its own thread where there are two.
+  // Collision, filled by its own thread where there are two. Motion 0 is what the step begins with, each further
+  // one what a solve answered that the search had not foreseen.
   std::unique_ptr<ProximityFinder> finder;
-  std::vector<std::vector<Vec3>> positions, velocities;
-  std::vector<std::span<const Vec3>> positionSpans, velocitySpans;
+  using Surfaces = std::vector<std::vector<Vec3>>;
+  using Spans = std::vector<std::span<const Vec3>>;
+  Surfaces positions;
+  Spans positionSpans;
+  std::array<Surfaces, ProximityFinder::kMotionsMost> velocities;
+  std::array<Spans, ProximityFinder::kMotionsMost> velocitySpans;
+  int motionCount = 0;
+  VecX solved;                        ///< velocities of all objects as the last solve left them
   const std::vector<Proximity>* proximities = nullptr;
   const State* stateSeen = nullptr;   ///< what the collision thread reads
   StepReport collideReport;           ///< its stage times
@@ -107,9 +115,15 @@ struct Stepper::Work {
   VecX d, lambda;
   LcpWork lcp;
 
+  /// The first search of a step.
   void findProximities(const State& state);
+  /// Whether the solve moves some surface further from what the search foresaw than its slack, half the contact
+  /// distance; if so the search is made again with that motion too. What it finds is then complete.
+  bool searchAgain(const State& state);
 };
 
+/// The hands of this step: what came in, or the last pose where that is no pose of a hand.
+void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
 /// Forces, A and b of each coupling island.
 void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.
@@ -122,8 +136,6 @@ void solveConstrained(Stepper::Work& work, const State& state);
 void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island);
 /// Prepares the splittings of an island at construction, and this step's D with its factor.
 void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, bool portable, IslandWork& island);
-/// The hands of this step: what came in, or the last pose where that is no pose of a hand.
-void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
 void chooseSplitting(Stepper::Work& work, IslandWork& island);
 
 }  // namespace glenoid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/step/Stepper.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "simcore/linear/Kernels.h"
@@ -24,6 +25,11 @@ const char* stageName(Stage stage) {
   return "";
 }
 
+namespace {
+/// Most that the search looks ahead, m: a bound for what moves absurdly. What moves slowly is looked for near by.
+constexpr double kLookAhead = 0.25;
+}  // namespace
+
 const char* kernelIsa(bool portable) { return kernelIsaName(portable); }
 
 Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& options) : m_work(std::make_unique<Work>()) {
@@ -46,21 +52,38 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.report.toolForces.resize(work.model->scenario.tools.size());
   work.hands.resize(work.model->scenario.tools.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
-  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs);
-  for (const SceneObject& object : work.model->objects) {
-    work.positions.emplace_back(object.collision.vertices.size());
-    work.velocities.emplace_back(object.collision.vertices.size(), Vec3::Zero());
+  ProximityLimits limits;
+  limits.lookAhead = kLookAhead;
+  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs, limits);
+  for (const SceneObject& object : work.model->objects) work.positions.emplace_back(object.collision.vertices.size());
+  work.positionSpans.assign(work.positions.begin(), work.positions.end());
+  for (std::size_t motion = 0; motion < work.velocities.size(); ++motion) {
+    for (const SceneObject& object : work.model->objects)
+      work.velocities[motion].emplace_back(object.collision.vertices.size(), Vec3::Zero());
+    work.velocitySpans[motion].assign(work.velocities[motion].begin(), work.velocities[motion].end());
   }
-  for (std::size_t i = 0; i < work.positions.size(); ++i) {
-    work.positionSpans.emplace_back(work.positions[i]);
-    work.velocitySpans.emplace_back(work.velocities[i]);
-  }
+  work.solved.setZero(work.model->start.v.size());
   if (options.threads > 1) work.worker = std::make_unique<Worker>([&work] { work.findProximities(*work.stateSeen); });
 }
 
 Stepper::~Stepper() = default;
 
 const Model& Stepper::model() const { return *m_work->model; }
+
+namespace {
+
+/// The velocities of all objects out of their islands.
+void gatherVelocities(const Stepper::Work& work, VecX& v) {
+  for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    const CouplingIslandModel& island = work.inside->islands[i];
+    for (std::size_t k = 0; k < island.objects.size(); ++k) {
+      const ObjectLayout& layout = work.inside->objects[island.objects[k]]->layout();
+      v.segment(layout.vOffset, layout.vSize) = work.islands[i].v.segment(3 * island.base[k], layout.vSize);
+    }
+  }
+}
+
+}  // namespace
 
 void Stepper::Work::findProximities(const State& state) {
   collideReport.cpuMs.fill(0);
@@ -69,11 +92,44 @@ void Stepper::Work::findProximities(const State& state) {
     for (std::size_t i = 0; i < model->objects.size(); ++i) {
       const SceneObject& object = model->objects[i];
       surfacePositions(object.collision, object.layout, state.q, positions[i]);
-      if (object.layout.free) surfaceVelocities(object.collision, object.layout, state.q, state.v, velocities[i]);
+      if (object.layout.free) surfaceVelocities(object.collision, object.layout, state.q, state.v, velocities[0][i]);
     }
   }
+  motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
-  proximities = &finder->find(positionSpans, velocitySpans, model->scenario.contactDistance, settings.dt);
+  proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt);
+}
+
+bool Stepper::Work::searchAgain(const State& state) {
+  if (motionCount == ProximityFinder::kMotionsMost) return false;
+  Surfaces& now = velocities[motionCount];
+  bool outran = false;
+  {
+    const StageClock clock(report, Stage::Surfaces);
+    gatherVelocities(*this, solved);
+    const double slack = 0.5 * model->scenario.contactDistance / settings.dt;  // m/s, of each of two surfaces
+    for (std::size_t i = 0; i < model->objects.size(); ++i) {
+      const SceneObject& object = model->objects[i];
+      if (!object.layout.free) continue;
+      surfaceVelocities(object.collision, object.layout, state.q, solved, now[i]);
+      // One foreseen motion has to fit the whole surface: mixtures of two were not searched.
+      bool foreseen = false;
+      for (int motion = 0; motion < motionCount && !foreseen; ++motion) {
+        double most = 0;
+        for (std::size_t k = 0; k < now[i].size(); ++k) most = std::max(most, (now[i][k] - velocities[motion][i][k]).squaredNorm());
+        foreseen = most <= slack * slack;
+      }
+      outran = outran || !foreseen;
+    }
+  }
+  if (!outran) return false;
+  ++motionCount;
+  std::array<ProximityFinder::Motion, ProximityFinder::kMotionsMost> motions;
+  for (int motion = 0; motion < motionCount; ++motion) motions[motion] = velocitySpans[motion];
+  const StageClock clock(report, Stage::Collide);
+  const std::span<const ProximityFinder::Motion> used(motions.data(), static_cast<std::size_t>(motionCount));
+  proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt);
+  return true;
 }
 
 namespace {
@@ -87,13 +143,7 @@ bool velocitiesFinite(const std::vector<IslandWork>& islands) {
 /// Writes velocities back and moves everything by them.
 void integrate(Stepper::Work& work, State& state) {
   const StageClock clock(work.report, Stage::Integrate);
-  for (std::size_t i = 0; i < work.islands.size(); ++i) {
-    const CouplingIslandModel& island = work.inside->islands[i];
-    for (std::size_t k = 0; k < island.objects.size(); ++k) {
-      const ObjectLayout& layout = work.inside->objects[island.objects[k]]->layout();
-      state.v.segment(layout.vOffset, layout.vSize) = work.islands[i].v.segment(3 * island.base[k], layout.vSize);
-    }
-  }
+  gatherVelocities(work, state.v);
   for (const auto& object : work.inside->objects) object->advance(work.settings.dt, state);
   state.rotations = work.rotations;
   state.impulses.clear();
@@ -101,6 +151,17 @@ void integrate(Stepper::Work& work, State& state) {
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
       if (work.impulses[c] > 0) state.impulses.push_back({(*work.proximities)[c].key, work.impulses[c]});
   for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
+}
+
+/// Contacts as the detector has them now, and their solve.
+void solveContacts(Stepper::Work& work, const State& state) {
+  StepReport& report = work.report;
+  report.active = report.droppedRows = report.pivotsExhausted = 0;
+  report.complementarity = 0;
+  report.contactViews.clear();
+  for (Vec3& force : report.toolForces) force.setZero();
+  buildContacts(work, state);
+  solveConstrained(work, state);
 }
 
 /// The last good state stays where it is; rest is the one velocity that is certainly harmless.
@@ -140,8 +201,12 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
     for (const Stage stage : {Stage::Surfaces, Stage::Collide})
       report.cpuMs[static_cast<int>(stage)] = work.collideReport.cpuMs[static_cast<int>(stage)];
     if (good) {
-      buildContacts(work, state);
-      solveConstrained(work, state);
+      for (IslandWork& island : work.islands) island.free = island.v;
+      solveContacts(work, state);
+      while (velocitiesFinite(work.islands) && work.searchAgain(state)) {
+        for (IslandWork& island : work.islands) island.v = island.free;
+        solveContacts(work, state);
+      }
     }
   }
   good = good && velocitiesFinite(work.islands);
