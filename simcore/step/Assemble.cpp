@@ -5,14 +5,24 @@
 namespace glenoid {
 
 void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state) {
-  for (std::size_t tool = 0; tool < work.hands.size(); ++tool) {
-    work.hands[tool] = poseAt(state.hands, 7 * static_cast<int>(tool));
+  for (std::size_t tool = 0; tool < work.wanted.size(); ++tool) {
+    work.wanted[tool] = poseAt(state.hands, 7 * static_cast<int>(tool));
     if (tool >= inputs.hands.size()) continue;
     if (isHandPose(inputs.hands[tool])) {
-      work.hands[tool] = {inputs.hands[tool].p_WB, inputs.hands[tool].q_WB.normalized()};
+      work.wanted[tool] = {inputs.hands[tool].p_WB, inputs.hands[tool].q_WB.normalized()};
     } else {
       ++work.report.refusedHands;
     }
+  }
+}
+
+void moveHands(Stepper::Work& work, const State& state, int partsLeft) {
+  for (std::size_t tool = 0; tool < work.hands.size(); ++tool) {
+    work.hands[tool] = work.wanted[tool];
+    if (partsLeft == 1) continue;
+    const Pose last = poseAt(state.hands, 7 * static_cast<int>(tool));
+    work.hands[tool].p_WB = last.p_WB + (work.wanted[tool].p_WB - last.p_WB) / partsLeft;
+    work.hands[tool].q_WB = last.q_WB.slerp(1.0 / partsLeft, work.wanted[tool].q_WB);
   }
 }
 

@@ -86,7 +86,9 @@ struct Stepper::Work {
   PaperLimits paper;
   StepReport report;
   std::vector<IslandWork> islands;
-  std::vector<Pose> hands;            ///< of each tool, as this step takes them
+  std::vector<Pose> wanted;           ///< hand of each tool at the end of the step
+  std::vector<Pose> hands;            ///< at the end of the part of it that is being solved
+  std::vector<double> turnStiffness;  ///< of each rigid object with couplings: Σ k r², N·m
   VecX rotations;
 
   // Collision, filled by its own thread where there are two. Motion 0 is what the step begins with, each further
@@ -103,6 +105,7 @@ struct Stepper::Work {
   const std::vector<Proximity>* proximities = nullptr;
   const State* stateSeen = nullptr;   ///< what the collision thread reads
   StepReport collideReport;           ///< its stage times
+  double workerMs = 0;                ///< their sum over the parts of a step
   std::unique_ptr<Worker> worker;
 
   // Contact.
@@ -122,8 +125,15 @@ struct Stepper::Work {
   bool searchAgain(const State& state);
 };
 
+/// Into how many equal parts the step must be cut, 1 … kPartsMost, for what it turns to be near enough to its
+/// linearisation; from the velocities of a trial over the whole step. Needs work.solved.
+int partsOf(const Stepper::Work& work, const State& state);
+/// Σ k r² of the couplings at each rigid object.
+std::vector<double> turnStiffnessOf(const StepModel& inside);
 /// The hands of this step: what came in, or the last pose where that is no pose of a hand.
 void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
+/// work.hands for one of the remaining equal parts of the step: on the way from the state's hands to the wanted ones.
+void moveHands(Stepper::Work& work, const State& state, int partsLeft);
 /// Forces, A and b of each coupling island.
 void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.

@@ -50,7 +50,10 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   }
   work.islandBuilder = std::make_unique<ContactIslandBuilder>(static_cast<int>(work.islands.size()));
   work.report.toolForces.resize(work.model->scenario.tools.size());
+  work.wanted.resize(work.model->scenario.tools.size());
   work.hands.resize(work.model->scenario.tools.size());
+  work.turnStiffness = turnStiffnessOf(*work.inside);
+  work.solved.setZero(work.model->start.v.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
   ProximityLimits limits;
   limits.lookAhead = kLookAhead;
@@ -62,7 +65,6 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
       work.velocities[motion].emplace_back(object.collision.vertices.size(), Vec3::Zero());
     work.velocitySpans[motion].assign(work.velocities[motion].begin(), work.velocities[motion].end());
   }
-  work.solved.setZero(work.model->start.v.size());
   if (options.threads > 1) work.worker = std::make_unique<Worker>([&work] { work.findProximities(*work.stateSeen); });
 }
 
@@ -143,7 +145,7 @@ bool velocitiesFinite(const std::vector<IslandWork>& islands) {
 /// Writes velocities back and moves everything by them.
 void integrate(Stepper::Work& work, State& state) {
   const StageClock clock(work.report, Stage::Integrate);
-  gatherVelocities(work, state.v);
+  state.v = work.solved;
   for (const auto& object : work.inside->objects) object->advance(work.settings.dt, state);
   state.rotations = work.rotations;
   state.impulses.clear();
@@ -170,27 +172,13 @@ void rejectStep(State& state) {
   state.impulses.clear();
 }
 
-}  // namespace
-
-const StepReport& Stepper::step(const Inputs& inputs, State& state) {
-  Work& work = *m_work;
-  StepReport& report = work.report;
-  const auto wallBegin = std::chrono::steady_clock::now();
-  const double cpuBegin = StageClock::nowMs();
-  report.taken = true;
-  report.refusedHands = report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
-  report.residual = report.complementarity = 0;
-  report.cpuMs.fill(0);
-  report.paper = {};
-  report.contactViews.clear();
-  for (Vec3& force : report.toolForces) force.setZero();
+/// Velocities at the end of a step of work.settings.dt into work.solved; false where there is no finite answer.
+bool solveStep(Stepper::Work& work, const State& state) {
   work.rotations = state.rotations;
-
   if (work.inside->contact && work.worker) {
     work.stateSeen = &state;
     work.worker->start();  // finding what is near needs positions only, so it runs beside the free solve
   }
-  takeHands(work, inputs, state);
   assembleIslands(work, state);
   bool good = solveUnconstrained(work, state);
   if (work.inside->contact) {
@@ -198,8 +186,10 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
       work.worker->wait();
     else
       work.findProximities(state);
-    for (const Stage stage : {Stage::Surfaces, Stage::Collide})
-      report.cpuMs[static_cast<int>(stage)] = work.collideReport.cpuMs[static_cast<int>(stage)];
+    for (const Stage stage : {Stage::Surfaces, Stage::Collide}) {
+      work.report.cpuMs[static_cast<int>(stage)] += work.collideReport.cpuMs[static_cast<int>(stage)];
+      work.workerMs += work.collideReport.cpuMs[static_cast<int>(stage)];
+    }
     if (good) {
       for (IslandWork& island : work.islands) island.free = island.v;
       solveContacts(work, state);
@@ -210,16 +200,49 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
     }
   }
   good = good && velocitiesFinite(work.islands);
-  if (good)
+  if (good) gatherVelocities(work, work.solved);
+  return good;
+}
+
+}  // namespace
+
+const StepReport& Stepper::step(const Inputs& inputs, State& state) {
+  Work& work = *m_work;
+  StepReport& report = work.report;
+  const auto wallBegin = std::chrono::steady_clock::now();
+  const double cpuBegin = StageClock::nowMs();
+  report.taken = true;
+  report.parts = 1;
+  report.refusedHands = report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
+  report.residual = report.complementarity = 0;
+  report.cpuMs.fill(0);
+  work.workerMs = 0;
+  report.paper = {};
+  report.contactViews.clear();
+  for (Vec3& force : report.toolForces) force.setZero();
+
+  takeHands(work, inputs, state);
+  moveHands(work, state, 1);
+  const double dt = work.settings.dt;
+  bool good = solveStep(work, state);
+  if (good) report.parts = partsOf(work, state);
+  work.settings.dt = dt / report.parts;
+  for (int left = report.parts; good && left > 0; --left) {
+    if (report.parts > 1) {  // the trial over the whole step is thrown away
+      moveHands(work, state, left);
+      good = solveStep(work, state);
+      if (!good) break;
+    }
     integrate(work, state);
-  else
-    rejectStep(state);
+    if (work.options.afterPart) work.options.afterPart(state, work.settings.dt);
+  }
+  work.settings.dt = dt;
+  if (!good) rejectStep(state);
   report.taken = good;
   ++state.step;
   state.time = static_cast<double>(state.step) * work.settings.dt;
   report.stepCpuMs = StageClock::nowMs() - cpuBegin;
-  if (work.worker)
-    report.stepCpuMs += work.collideReport.cpuMs[static_cast<int>(Stage::Surfaces)] + work.collideReport.cpuMs[static_cast<int>(Stage::Collide)];
+  if (work.worker) report.stepCpuMs += work.workerMs;
   report.stepWallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wallBegin).count();
   return report;
 }
