@@ -44,6 +44,7 @@ BoundPoseSpring toolSpring(const Tool& tool, const RigidObject& body, int object
   const double inertia = body.properties().inertia.diagonal().maxCoeff() + tool.mass * spring.anchor_B.squaredNorm();
   spring.angularDamping = 2 * tool.dampingRatio * std::sqrt(tool.angularStiffness * inertia);
   spring.forceMax = tool.forceMax;
+  spring.torqueMax = tool.forceMax * tool.length;  // a hand at the far end of the shaft
   return bound;
 }
 

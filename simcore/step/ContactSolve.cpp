@@ -43,7 +43,7 @@ void buildDelassus(Stepper::Work& work, const ContactIsland& island, int n) {
   W.setZero();
   for (const int index : island.couplingIslands) {
     IslandWork& part = work.islands[index];
-    for (std::size_t k = 0; k < part.chosen.size(); ++k) work.d[part.chosenIds[k]] += dot(part.chosen[k], part.base);
+    for (std::size_t k = 0; k < part.chosen.size(); ++k) work.d[part.chosenIds[k]] += dot(part.chosen[k], part.free);
     part.response->prepare(part.chosen);
     part.response->addDelassus(part.chosenIds, W);
   }
@@ -65,7 +65,6 @@ double momentumResidual(std::vector<IslandWork>& islands) {
 void solveContactIsland(Stepper::Work& work, const State& state, const ContactIsland& island) {
   StepReport& report = work.report;
   for (const int c : island.contacts) work.contacts[c].chosen = work.contacts[c].impulse > 0;
-  for (const int index : island.couplingIslands) work.islands[index].base = work.islands[index].v;
   {
     const StageClock clock(report, Stage::Contact);
     normalSpeeds(work, island);
@@ -83,7 +82,7 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
       IslandWork& part = work.islands[index];
       part.lambda.clear();
       for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
-      part.v = part.base;
+      part.v = part.free;
       part.response->addImpulses(part.lambda, part.v);
     }
     takeImpulses(work);

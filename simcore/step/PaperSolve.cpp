@@ -91,7 +91,6 @@ void solveContactIslandBySplitting(Stepper::Work& work, const State& state, cons
     chooseSplitting(work, part);
     part.splitting->response->prepare(part.chosen);
     part.splitting->response->addDelassus(part.chosenIds, B);
-    part.base = part.v;  // the unconstrained answer: what stays where the iteration leaves the numbers
   }
   const VecX& target = work.target = work.d.head(n);  // −c, zero along tangents
 
@@ -140,7 +139,7 @@ void solveContactIslandBySplitting(Stepper::Work& work, const State& state, cons
     work.lambda.head(n).setZero();
     for (const int index : island.couplingIslands) {
       IslandWork& part = work.islands[index];
-      part.v = part.base;
+      part.v = part.free;
       std::fill(part.lambda.begin(), part.lambda.end(), 0.0);
     }
   }

@@ -46,8 +46,8 @@ struct IslandWork {
   Splitting byNode, byObject;                 ///< paper profile only
   Splitting* splitting = nullptr;             ///< the one in use this step
   VecX b, v;                                  ///< right-hand side; velocities, first unconstrained
+  VecX free;                                  ///< the unconstrained ones
   VecX residual, change;                      ///< scratch, as long as b
-  VecX base;                                  ///< the unconstrained velocities
   IslandRows rows;                            ///< normal row of each contact
   IslandRows tangents;                        ///< two rows of each chosen contact that has friction
   std::vector<SparseRow> chosen;              ///< rows that are unknowns of the contact problem
@@ -96,15 +96,26 @@ struct Stepper::Work {
   PaperLimits paper;
   StepReport report;
   std::vector<IslandWork> islands;
+  std::vector<Pose> wanted;           ///< hand of each tool at the end of the step
+  std::vector<Pose> hands;            ///< at the end of the part of it that is being solved
+  std::vector<double> turnStiffness;  ///< of each rigid object with couplings: Σ k r², N·m
   VecX rotations;
 
-  // Collision, filled by its own thread where there are two.
+  // Collision, filled by its own thread where there are two. Motion 0 is what the step begins with, each further
+  // one what a solve answered that the search had not foreseen.
   std::unique_ptr<ProximityFinder> finder;
-  std::vector<std::vector<Vec3>> positions, velocities;
-  std::vector<std::span<const Vec3>> positionSpans, velocitySpans;
+  using Surfaces = std::vector<std::vector<Vec3>>;
+  using Spans = std::vector<std::span<const Vec3>>;
+  Surfaces positions;
+  Spans positionSpans;
+  std::array<Surfaces, ProximityFinder::kMotionsMost> velocities;
+  std::array<Spans, ProximityFinder::kMotionsMost> velocitySpans;
+  int motionCount = 0;
+  VecX solved;                        ///< velocities of all objects as the last solve left them
   const std::vector<Proximity>* proximities = nullptr;
   const State* stateSeen = nullptr;   ///< what the collision thread reads
   StepReport collideReport;           ///< its stage times
+  double workerMs = 0;                ///< their sum over the parts of a step
   std::unique_ptr<Worker> worker;
 
   // Contact.
@@ -120,11 +131,24 @@ struct Stepper::Work {
   LcpWork lcp;
   CoulombWork coulomb;
 
+  /// The first search of a step.
   void findProximities(const State& state);
+  /// Whether the solve moves some surface further from what the search foresaw than its slack, half the contact
+  /// distance; if so the search is made again with that motion too. What it finds is then complete.
+  bool searchAgain(const State& state);
 };
 
+/// Into how many equal parts the step must be cut, 1 … kPartsMost, for what it turns to be near enough to its
+/// linearisation; from the velocities of a trial over the whole step. Needs work.solved.
+int partsOf(const Stepper::Work& work, const State& state);
+/// Σ k r² of the couplings at each rigid object.
+std::vector<double> turnStiffnessOf(const StepModel& inside);
+/// The hands of this step: what came in, or the last pose where that is no pose of a hand.
+void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
+/// work.hands for one of the remaining equal parts of the step: on the way from the state's hands to the wanted ones.
+void moveHands(Stepper::Work& work, const State& state, int partsLeft);
 /// Forces, A and b of each coupling island.
-void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& state);
+void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.
 bool solveUnconstrained(Stepper::Work& work, const State& state);
 /// Turns what the detector found into rows.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ struct PaperReport {
 /// What one step did. Valid until the next step of the same Stepper.
 struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
+  int parts = 1;                  ///< into which it was cut, for what turns too far in one; contacts are the last part's
+  int refusedHands = 0;           ///< inputs that were no pose of a hand (NaN, 1e30): the last pose stood for them
   int contacts = 0, active = 0;
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move
@@ -60,6 +63,8 @@ struct StepperOptions {
   Profile profile = Profile::Direct;
   int threads = 1;
   bool portable = false;  ///< no SIMD kernels
+  /// Called with the state after each part of a step and the part's length, s: for books that want every one.
+  std::function<void(const State&, double)> afterPart;
 };
 
 /// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.
