@@ -18,7 +18,8 @@ Result<MassProperties> massPropertiesOf(const TriMesh& surface, double density);
 
 /// Rigid body: q = (centre of mass, unit quaternion x y z w), v = (linear, angular), both in W.
 /// Body frame B: origin at the centre of mass, axes of the rest frame.
-/// Gyroscopic torque is taken explicitly: bones and held tools turn by |ω|Δt far below one.
+/// Gyroscopic torque is not linearised into A, which must stay symmetric: its effect over the step is found
+/// beforehand by the implicit midpoint rule and enters b, so a body that spins freely keeps its energy.
 class RigidObject : public ContactObject {
  public:
   /// `withWeight`: false for a tool, whose weight the hand carries.
