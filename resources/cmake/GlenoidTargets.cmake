@@ -50,15 +50,26 @@ function(glenoid_library name)
   endif()
 endfunction()
 
-# glenoid_test(NAME LABEL unit|numerics|render|long SOURCES ... LINKS ...): one GoogleTest program of one folder.
+# glenoid_test(NAME LABEL unit|numerics|render|long [THREADS] SOURCES ... LINKS ...): one GoogleTest program of one folder.
+# Those below tests/simcore and tests/hard also get the label simcore, and with THREADS the label threads: what the
+# sanitizers run. The targets simcore_tests and thread_tests build them.
 function(glenoid_test name)
-  cmake_parse_arguments(ARG "" "LABEL;TIMEOUT" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "THREADS" "LABEL;TIMEOUT" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE GLENOID_SOURCE_DIR="${CMAKE_SOURCE_DIR}" GLENOID_BUILD_DIR="${CMAKE_BINARY_DIR}")
   add_test(NAME ${name} COMMAND ${name})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
+  endif()
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY "${CMAKE_SOURCE_DIR}/tests" OUTPUT_VARIABLE folder)
+  if(folder MATCHES "^(simcore|hard)")
+    list(APPEND ARG_LABEL simcore)
+    add_dependencies(simcore_tests ${name})
+  endif()
+  if(ARG_THREADS)
+    list(APPEND ARG_LABEL threads)
+    add_dependencies(thread_tests ${name})
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT}
     ENVIRONMENT "OPENBLAS_NUM_THREADS=1;QT_QPA_PLATFORM=offscreen")

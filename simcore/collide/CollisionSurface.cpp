@@ -11,8 +11,25 @@ namespace {
 struct Side {
   std::array<int, 2> vertices;  ///< ascending
   int triangle, corner;         ///< the side joins corners corner and corner + 1
+  bool empty;                   ///< of a triangle that carries nothing
   bool reversed;                ///< the triangle runs from the larger vertex to the smaller
 };
+
+/// Triangles that carry nothing: without area, or with the corners of an earlier one.
+std::vector<char> emptyTriangles(const TriMesh& mesh) {
+  std::vector<char> empty(mesh.triangles.size(), 0);
+  std::vector<std::array<int, 4>> corners;  // ascending, then the triangle
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    std::array<int, 3> c = mesh.triangles[t];
+    if (isFlatTriangle(mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]])) empty[t] = 1;
+    std::sort(c.begin(), c.end());
+    corners.push_back({c[0], c[1], c[2], t});
+  }
+  std::sort(corners.begin(), corners.end());
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    if (std::equal(corners[i].begin(), corners[i].begin() + 3, corners[i - 1].begin())) empty[corners[i][3]] = 1;
+  return empty;
+}
 
 /// Rows of a table from (row, entry) pairs that come in ascending order of entry.
 void makeRows(int rows, const std::vector<std::array<int, 2>>& entries, std::vector<int>& start,
@@ -27,11 +44,19 @@ void makeRows(int rows, const std::vector<std::array<int, 2>>& entries, std::vec
 
 }  // namespace
 
+bool isFlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  // Ten digits below its size nothing is left of the direction of its normal.
+  return !((b - a).cross(c - a).norm() > 1e-10 * longest);
+}
+
 std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh) {
   auto surface = std::make_shared<CollisionSurface>();
   surface->vertexCount = static_cast<int>(mesh.vertices.size());
   surface->triangles = mesh.triangles;
   surface->restVertices = mesh.vertices;
+
+  surface->empty = emptyTriangles(mesh);
 
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());
@@ -40,14 +65,15 @@ std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh
     for (int k = 0; k < 3; ++k) {
       const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
       assert(a >= 0 && a < surface->vertexCount);
-      sides.push_back({{std::min(a, b), std::max(a, b)}, t, k, a > b});
-      entries.push_back({a, t});
+      sides.push_back({{std::min(a, b), std::max(a, b)}, t, k, surface->empty[t] != 0, a > b});
+      if (!surface->empty[t]) entries.push_back({a, t});
     }
   }
   makeRows(surface->vertexCount, entries, surface->triangleStart, surface->triangleList);
 
   std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-    return x.vertices != y.vertices ? x.vertices < y.vertices : x.triangle < y.triangle;
+    if (x.vertices != y.vertices) return x.vertices < y.vertices;
+    return x.empty != y.empty ? y.empty : x.triangle < y.triangle;
   });
   surface->closed = !sides.empty();
   surface->triangleEdges.resize(mesh.triangles.size());

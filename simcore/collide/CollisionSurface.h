@@ -30,7 +30,8 @@ struct Proximity {
 /// What is constant about a collision surface: topology, edges, adjacency. Built once at compile time;
 /// positions are not kept here. Triangles are counter-clockwise seen from outside. Meant for closed
 /// manifold surfaces; an open edge has triangle −1, and an edge of more than two triangles keeps its first
-/// two (`closed` says whether either occurs).
+/// two (`closed` says whether either occurs). Triangles without area and repetitions of a triangle are kept in
+/// the lists, since others count by them, but carry nothing: they come last at an edge and in no vertex's row.
 struct CollisionSurface {
   struct Edge {
     std::array<int, 2> vertices;   ///< ascending
@@ -43,6 +44,7 @@ struct CollisionSurface {
   std::vector<std::array<int, 3>> triangles;      ///< indices of vertices
   std::vector<Edge> edges;                        ///< ascending by their vertices
   std::vector<std::array<int, 3>> triangleEdges;  ///< edge k joins corners k and (k+1) mod 3
+  std::vector<char> empty;                        ///< a triangle without area at rest, or one that is there already
   std::vector<Vec3> restVertices;                 ///< m, for building trees only
 
   std::span<const int> trianglesOf(int vertex) const { return row(triangleStart, triangleList, vertex); }
@@ -56,6 +58,9 @@ struct CollisionSurface {
     return {list.data() + start[i], static_cast<std::size_t>(start[i + 1] - start[i])};
   }
 };
+
+/// Whether a triangle has no area that a normal could be taken from.
+bool isFlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Indices must lie inside the mesh (MeshHealth says so); anything else is a bug of the caller.
 std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh);

@@ -9,7 +9,7 @@ FeatureOwners assignOwners(const CollisionSurface& surface, const std::vector<ch
   owners.vertexTakesPart.assign(surface.vertexCount, 0);
   std::vector<char> edgeTaken(surface.edges.size(), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    if (t < skip.size() && skip[t]) {
+    if ((t < skip.size() && skip[t]) || surface.empty[t]) {
       owners.ofTriangle[t] = FeatureOwners::kSkipped;
       continue;
     }

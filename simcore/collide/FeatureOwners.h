@@ -8,7 +8,7 @@
 namespace glenoid {
 
 /// Who handles which feature of one side of a pair: every vertex and edge belongs to its first triangle that
-/// is not skipped, so that two features meet exactly once, where their owners meet.
+/// is not skipped nor empty, so that two features meet exactly once, where their owners meet.
 struct FeatureOwners {
   static constexpr std::uint8_t kSkipped = 0x80;
   std::vector<std::uint8_t> ofTriangle;  ///< bits 0–2: owns corner k, 3–5: owns edge k; kSkipped

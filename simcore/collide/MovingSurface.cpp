@@ -32,6 +32,7 @@ MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
   m_faceNormal.resize(triangles);
   m_faceOffset.resize(triangles);
   m_margin.resize(triangles);
+  m_hasFace.resize(triangles);
   m_convex.resize(m_topology->edges.size());
   m_vertexNormal.resize(m_topology->vertexCount);
   m_vertexNormalStep.assign(m_topology->vertexCount, -1);
@@ -65,8 +66,8 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
     const auto [i, j, k] = s.triangles[t];
     const Vec3 &a = m_x[i], &b = m_x[j], &c = m_x[k];
     const Vec3 twice = (b - a).cross(c - a);
-    const double area = twice.norm();
-    m_faceNormal[t] = area > 0 ? Vec3(twice / area) : Vec3(Vec3::Zero());
+    m_hasFace[t] = !s.empty[t] && !isFlatTriangle(a, b, c);
+    m_faceNormal[t] = m_hasFace[t] ? Vec3(twice / twice.norm()) : Vec3(Vec3::Zero());
     m_faceOffset[t] = m_faceNormal[t].dot(a);
     const double speed = !moves ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
     m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, lookAhead);
@@ -132,6 +133,7 @@ MovingSurface::Nearest MovingSurface::nearest(const Vec3& p, double reach) {
   const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
     const double h = height(t, p);
     if (h * h > bestSoFar) return h * h;
+    if (!m_hasFace[t]) return 2 * bestSoFar + 1;  // without a normal it would take everything for inside
     const auto [i, j, k] = m_topology->triangles[t];
     const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
     const Vec3 q = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
@@ -156,7 +158,7 @@ MovingSurface::Nearest MovingSurface::nearestFacing(const Vec3& p, double reach,
   const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
     const double h = height(t, p);
     const double none = 2 * bestSoFar + 1;
-    if (h > 0 || h * h >= bestSoFar || m_faceNormal[t].dot(direction) > facing) return none;
+    if (!m_hasFace[t] || h > 0 || h * h >= bestSoFar || m_faceNormal[t].dot(direction) > facing) return none;
     const auto [i, j, k] = m_topology->triangles[t];
     const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
     if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) return none;

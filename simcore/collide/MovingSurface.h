@@ -31,6 +31,8 @@ class MovingSurface {
   const Vec3& faceNormal(int triangle) const {
     return m_faceNormal[triangle];
   }  ///< unit, or zero without area
+  /// A triangle that has an inside and an outside now: not empty, and not flattened by the motion.
+  bool hasFace(int triangle) const { return m_hasFace[triangle] != 0; }
   double height(int triangle, const Vec3& p) const {
     return m_faceNormal[triangle].dot(p) - m_faceOffset[triangle];
   }
@@ -57,7 +59,7 @@ class MovingSurface {
     Feature feature;
     bool inside = false;  ///< by the feature's pseudo-normal; on the surface counts as inside
   };
-  /// Nearest point of the whole surface nearer than `reach`.
+  /// Nearest point of the whole surface nearer than `reach`; on triangles that have a face.
   Nearest nearest(const Vec3& p, double reach);
   /// Nearest interior point of a face in front of which `p` is not, and whose normal has a component of at
   /// most `facing` along the unit vector `direction`.
@@ -71,7 +73,7 @@ class MovingSurface {
   std::vector<double> m_speed;               ///< by vertex, the largest of any motion
   std::vector<Vec3> m_faceNormal;
   std::vector<double> m_faceOffset, m_margin;
-  std::vector<char> m_convex;
+  std::vector<char> m_hasFace, m_convex;
   std::vector<Vec3> m_vertexNormal;
   std::vector<long> m_vertexNormalStep;
   long m_step = 0;

@@ -175,6 +175,7 @@ bool PairSearch::nearestLocally(const MovingSurface& surface, const MovingSurfac
 void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle) {
   ++m_counts->vertexFace;
   MovingSurface& surface = *other.surface;
+  if (!surface.hasFace(triangle)) return;
   const Vec3& p = mine.surface->x(vertex);
   const auto [i, j, k] = surface.topology().triangles[triangle];
   const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
@@ -197,6 +198,7 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
   if (!nearestLocally(surface, feature, foot, away)) return;
   const Vec3 pseudo = surface.normalOf(feature);
   if (distance < kTouching) {
+    if (pseudo.isZero(0)) return;
     return emitVertex(mine, other, vertex, triangle, w, feature, pseudo.stableNormalized(), 0);
   }
   if (away.dot(pseudo) < 0) return suspect(mine, vertex);
@@ -337,6 +339,7 @@ void PairSearch::followInside(Side& mine, Side& other) {
       }
     }
     if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
+    if (outward.isZero(0)) continue;
     emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward,
                -nearest.distance);
   }

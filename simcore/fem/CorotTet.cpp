@@ -15,8 +15,8 @@ Result<CorotTet> makeCorotTet(const Mat34& x0_E, const Lame& lame, double fill) 
   for (int i = 0; i < 3; ++i) D.col(i) = x0_E.col(i + 1) - x0_E.col(0);
   const double volume = D.determinant() / 6;
   const double longest = D.colwise().norm().maxCoeff();
-  // Scaled: an element flatter than a millionth of its size cannot carry a gradient.
-  if (!(volume > 1e-6 * longest * longest * longest / 6)) {
+  // Scaled: a needle of aspect 1e4 has 1e-9; three digits below that a gradient has lost half of its own.
+  if (!(volume > 1e-12 * longest * longest * longest / 6)) {
     Error error{Fault::BadElement, {}, {std::to_string(volume)}, "rest volume is not positive"};
     return error;
   }

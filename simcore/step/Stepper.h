@@ -64,7 +64,7 @@ struct StepperOptions {
   int threads = 1;
   bool portable = false;  ///< no SIMD kernels
   /// Called with the state after each part of a step and the part's length, s: for books that want every one.
-  std::function<void(const State&, double)> afterPart;
+  std::function<void(const State&, double)> afterPart = {};
 };
 
 /// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.

@@ -324,5 +324,73 @@ TEST(Proximity, notFinitePositionsGiveNoContact) {
   EXPECT_EQ(finder.find(scene.positionSpans(), {}, 0.001, 0.005).size(), 4u);
 }
 
+TEST(Proximity, eachSurfaceMayFollowAnyOfTheMotions) {
+  CollisionScene scene =
+      twoMeshes(box({-0.01, 0.035, -0.012}, {0.013, 0.05, 0.01}), box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04}));
+  ProximityLimits limits;
+  limits.lookAhead = 0.1;
+  ProximityFinder finder(scene.surfaces(), scene.pairs, limits);
+  const std::vector<Vec3> still(8, Vec3::Zero()), down(8, Vec3(0, -0.4, 0)), up(8, Vec3(0, 0.4, 0));
+  const auto countOf = [&](const std::vector<std::array<const std::vector<Vec3>*, 2>>& wishes) {
+    std::vector<std::vector<std::span<const Vec3>>> spans;
+    for (const auto& [a, b] : wishes) spans.push_back({*a, *b});
+    std::vector<ProximityFinder::Motion> motions(spans.begin(), spans.end());
+    return finder.findAlong(scene.positionSpans(), motions, 0.0015, 0.005).size();
+  };
+  // The gap is 5 mm; each side can close 2 mm of it.
+  EXPECT_EQ(countOf({}), 0u);
+  EXPECT_EQ(countOf({{&down, &still}}), 0u);
+  EXPECT_EQ(countOf({{&down, &up}}), 4u);
+  EXPECT_EQ(countOf({{&still, &still}, {&down, &up}}), 4u);
+  EXPECT_EQ(countOf({{&down, &still}, {&still, &up}}), 4u) << "one side follows the first, the other the second";
+  EXPECT_EQ(countOf({{&down, &down}, {&up, &up}}), 4u) << "as above";
+  EXPECT_EQ(countOf({{&up, &down}, {&still, &still}}), 0u) << "apart";
+}
+
+TEST(CollisionSurface, trianglesWithoutAFaceCarryNothing) {
+  TriMesh mesh = box({0, 0, 0}, {1, 1, 1});
+  const auto whole = makeCollisionSurface(mesh);
+  const auto first = mesh.triangles[0];
+  mesh.vertices.push_back(0.5 * (mesh.vertices[first[0]] + mesh.vertices[first[1]]));
+  // They stand first, where they would be taken first.
+  mesh.triangles.insert(mesh.triangles.begin(), {{first[0], first[1], 8}, {first[2], first[2], first[0]}});
+  mesh.triangles.push_back(first);
+  const auto surface = makeCollisionSurface(mesh);
+  for (const auto& edge : whole->edges) {
+    const auto same = std::find_if(surface->edges.begin(), surface->edges.end(), [&](const auto& e) { return e.vertices == edge.vertices; });
+    ASSERT_NE(same, surface->edges.end());
+    EXPECT_EQ(same->triangles[0], edge.triangles[0] + 2);
+    EXPECT_EQ(same->triangles[1], edge.triangles[1] + 2);
+  }
+  EXPECT_TRUE(surface->trianglesOf(8).empty());
+}
+
+TEST(Proximity, trianglesWithoutAFaceChangeNothing) {
+  // Points above, on and below a slab, one of whose faces holds flat triangles of all kinds.
+  TriMesh slab = box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04});
+  const CollisionSurface plain = *makeCollisionSurface(slab);
+  TriMesh flat = slab;
+  for (const auto& t : slab.triangles) {
+    flat.triangles.push_back({t[0], t[1], t[1]});
+    flat.triangles.push_back({t[2], t[2], t[2]});
+    flat.triangles.push_back(t);
+    flat.triangles.push_back(t);
+    flat.vertices.push_back(0.3 * slab.vertices[t[0]] + 0.7 * slab.vertices[t[1]]);
+    flat.triangles.insert(flat.triangles.begin(), {t[0], t[1], static_cast<int>(flat.vertices.size()) - 1});
+  }
+  for (const double height : {0.0007, 1e-5, -1e-5, -0.0007}) {
+    const TriMesh over = box({-0.06, 0.03 + height, -0.012}, {0.013, 0.05, 0.05});  // across an edge and a corner
+    const auto clean = twoMeshes(over, slab).find(0.001), dirty = twoMeshes(over, flat).find(0.001);
+    ASSERT_FALSE(clean.empty());
+    ASSERT_EQ(clean.size(), dirty.size()) << height;
+    const auto gaps = [](const std::vector<Proximity>& contacts) {
+      std::multiset<long> set;
+      for (const Proximity& c : contacts) set.insert(std::lround(1e9 * (c.gap + 0.1 * c.normal_W.y())));
+      return set;
+    };
+    EXPECT_EQ(gaps(clean), gaps(dirty)) << height;
+  }
+}
+
 }  // namespace
 }  // namespace glenoid

@@ -123,5 +123,28 @@ TEST(PoseSpring, aHandThatMovesEvenlyIsFollowedWithoutLag) {
   EXPECT_LT(lag, 0.05 * held.settings.dt * 1.01);  // at most one step's way
 }
 
+TEST(PoseSpring, aHandThatJumpsPullsNoHarderThanTheLargestForce) {
+  HeldBody held;
+  held.spring.forceMax = 3;
+  held.spring.torqueMax = 0.4;
+  held.spring.damping = 10;
+  held.spring.angularDamping = 1;
+  const Pose there{Vec3(0.05, 0, 0), Quat(Eigen::AngleAxisd(3, Vec3::UnitX()))};
+  const PoseTarget target = handTarget(there, {}, 1e-3);  // 50 m/s for one step
+  const Vec6 drive = driveWrench(held.spring, *held.body, target, held.state.q);
+  EXPECT_NEAR(drive.head<3>().norm(), 3, 1e-12);
+  EXPECT_NEAR(drive.tail<3>().norm(), 0.4, 1e-12);
+}
+
+TEST(PoseSpring, knowsWhatCannotBeAHand) {
+  EXPECT_TRUE(isHandPose({}));
+  EXPECT_TRUE(isHandPose({Vec3(0.3, -0.2, 0.9), Quat(Eigen::AngleAxisd(2, Vec3::UnitY()))}));
+  for (const double wrong : {std::nan(""), HUGE_VAL, -1e30, 1e300}) {
+    EXPECT_FALSE(isHandPose({Vec3(0, wrong, 0), Quat::Identity()})) << wrong;
+    EXPECT_FALSE(isHandPose({Vec3::Zero(), Quat(wrong, 0, 0, 0)})) << wrong;
+  }
+  EXPECT_FALSE(isHandPose({Vec3::Zero(), Quat(0, 0, 0, 0)}));
+}
+
 }  // namespace
 }  // namespace glenoid
