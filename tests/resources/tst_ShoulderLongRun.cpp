@@ -41,7 +41,14 @@ TEST(ShoulderLongRun, staysAtRestWithoutDriftLeakOrAllocation) {
   const long allocated = test::heapAllocations() - allocations, grown = test::heapBytesInUse() - bytes;
   std::printf("fastest %.1e m/s, farthest %.1e m, residual %.1e, %ld allocations, %ld bytes grown\n", fastest, farthest, worst, allocated, grown);
   EXPECT_EQ(rejected, 0);
-  EXPECT_TRUE(isFinite(state));
+  // Round-off keeps rattling at 1e-13 m/s and 1e-16 m (measured); real drift, the slightest creep of a spring or contact,
+  // would add up step by step.
+  EXPECT_LT(fastest, 1e-11);
+  EXPECT_LT(farthest, 1e-12);
+  EXPECT_LT(worst, 1e-13);
+  if (!test::heapIsCounted()) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
+  EXPECT_EQ(allocated, 0);
+  EXPECT_EQ(grown, 0);
 }
 
 }  // namespace

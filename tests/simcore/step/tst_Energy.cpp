@@ -128,7 +128,8 @@ TEST(Energy, ofASpinningChainIsBoundedByWhatMovingAlongTangentsPutsIn) {
   }
 }
 
-/// Energy after a second of a band that starts still and evenly stretched, over what it had at first.
+/// A band starts still and evenly stretched between its walls: largest energy once it has had time to rest, over the
+/// least it ever had. One where it rests.
 double restlessness(double young, double stretch, double dt) {
   scenes::LadderScene scene = scenes::bandBetweenWalls();
   scene.scenario.dt = dt;
@@ -136,33 +137,38 @@ double restlessness(double young, double stretch, double dt) {
   scene.scenario.effects.damping = Wish::Off;
   const auto model = compileModel(scene.joint, scene.scenario).value();
   State state = model->start;
-  for (const int wall : {0, 2}) state.q[model->objects[wall].layout.qOffset] *= 1 + stretch;
+  for (const int wall : {0, 2}) state.q[model->objects[wall].layout.qOffset] += (wall ? 0.04 : -0.04) * stretch;  // band's half
   const ObjectLayout& band = model->objects[1].layout;
   for (int i = 0; i < band.nodeCount; ++i) state.q[band.qOffset + 3 * i] *= 1 + stretch;
-  const double start = test::energyOf(*model, state);
   Stepper stepper(model, {});
-  double most = 0;
+  double most = 0, least = test::energyOf(*model, state);
   for (int i = 0; i < 200; ++i) {
     stepper.step({}, state);
-    most = std::max(most, test::energyOf(*model, state) / start);
+    const double now = test::energyOf(*model, state);
+    least = std::min(least, now);
+    if (i >= 100) most = std::max(most, now);
   }
-  return most;
+  return most / least;
 }
 
-TEST(Energy, ofATautBandNeverGrowsBelowTheStretchItsStepCanHold) {
-  // Tension σ makes waves of speed √(σ/ρ), which only the bending stiffness takes implicitly.
-  for (const double young : {5e4, 1e6, 1e7, 1e8})
-    for (const double dt : {1e-3, 5e-3, 2e-2}) EXPECT_LE(restlessness(young, 0.01, dt), 1 + kRoundOff) << young << " Pa, " << dt << " s";
-  for (const double dt : {1e-3, 5e-3, 2e-2}) EXPECT_LE(restlessness(5e4, 0.05, dt), 1 + kRoundOff) << dt << " s";
-  EXPECT_LE(restlessness(1e6, 0.05, 5e-3), 1 + kRoundOff);
-  EXPECT_LE(restlessness(1e7, 0.05, 1e-3), 1 + kRoundOff);
+TEST(Energy, ofATautBandComesToRestBelowTheStretchItsStepCanHold) {
+  // Tension σ makes waves of speed √(σ/ρ), which only the bending stiffness takes implicitly. It rests to a
+  // millionth of its energy where it rests at all.
+  struct Held {
+    double young, stretch, slowest;
+  };
+  for (const Held& held : {Held{5e4, 0.01, 2e-2}, Held{1e6, 0.01, 2e-2}, Held{1e7, 0.01, 2e-2}, Held{1e8, 0.01, 2e-2}, Held{5e4, 0.05, 2e-2},
+                           Held{1e6, 0.05, 5e-3}, Held{1e7, 0.05, 1e-3}, Held{1e8, 0.05, 1e-3}})
+    for (const double dt : {1e-3, 5e-3, 2e-2})
+      EXPECT_TRUE(dt > held.slowest || restlessness(held.young, held.stretch, dt) < 1 + 1e-6) << held.young << " Pa, " << held.stretch << ", " << dt << " s";
 }
 
 TEST(Energy, ofATautBandBeyondThatIsBounded) {
-  // It flutters instead of resting; the elastic energy bounds how far. Measured: at most 12 times the start.
+  // It flutters instead of resting; the elastic energy bounds how far. Measured: at most 13 times that at rest, at
+  // 100 MPa, 20 % and 20 ms; 1.5 times at 1 MPa, 5 % and 20 ms.
   for (const double young : {5e4, 1e6, 1e7, 1e8})
     for (const double stretch : {0.05, 0.2})
-      for (const double dt : {1e-3, 5e-3, 2e-2}) EXPECT_LT(restlessness(young, stretch, dt), 20) << young << " Pa, " << stretch << ", " << dt << " s";
+      for (const double dt : {1e-3, 5e-3, 2e-2}) EXPECT_LT(restlessness(young, stretch, dt), 15) << young << " Pa, " << stretch << ", " << dt << " s";
 }
 
 }  // namespace
