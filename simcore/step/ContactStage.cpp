@@ -27,7 +27,8 @@ void buildContacts(Stepper::Work& work, const State& state) {
   const std::vector<Proximity>& found = *work.proximities;
   work.contacts.clear();
   work.sides.clear();
-  work.impulses.resize(static_cast<Eigen::Index>(found.size()));
+  if (const auto count = static_cast<Eigen::Index>(found.size()); work.impulses.size() < count)
+    work.impulses.resize(count + count / 2);  // grows only: Eigen's resize goes to the heap at every change of size
   for (IslandWork& island : work.islands) {
     island.rows.clear();
     island.rowIds.clear();
