@@ -67,6 +67,7 @@ int runProgram(int argc, char** argv) {
   addRenderCommand(app, status);
   addJointCommand(app, status);
   addReplayCommand(app, status);
+  addBenchCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder or builtin:shoulder.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");
 

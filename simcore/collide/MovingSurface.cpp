@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "simcore/spatial/TrianglePoint.h"
 
@@ -33,7 +34,9 @@ MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
   m_faceOffset.resize(triangles);
   m_margin.resize(triangles);
   m_hasFace.resize(triangles);
+  m_lanes.resize(triangles);
   m_convex.resize(m_topology->edges.size());
+  m_convexEdges.resize(triangles);
   m_vertexNormal.resize(m_topology->vertexCount);
   m_vertexNormalStep.assign(m_topology->vertexCount, -1);
 }
@@ -47,8 +50,13 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
   m_x = positions;
   m_v.fill({});
   std::copy(motions.begin(), motions.end(), m_v.begin());
-  double sum = 0;  // not finite as soon as one entry is not
-  for (const Vec3& p : positions) sum += p.sum();
+  double sum = 0, largest = 0;  // the sum is not finite as soon as one entry is not
+  for (const Vec3& p : positions) {
+    sum += p.sum();
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  }
+  // Corner, normal and offset are rounded once, then three products and three sums: under 25 units of 2⁻²⁴.
+  m_laneSlack = static_cast<float>(32 * largest) * std::numeric_limits<float>::epsilon();
   bool moves = false;
   for (const std::span<const Vec3> velocities : motions) {
     assert(velocities.empty() || velocities.size() == positions.size());
@@ -69,6 +77,15 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
     m_hasFace[t] = !s.empty[t] && !isFlatTriangle(a, b, c);
     m_faceNormal[t] = m_hasFace[t] ? Vec3(twice / twice.norm()) : Vec3(Vec3::Zero());
     m_faceOffset[t] = m_faceNormal[t].dot(a);
+    Lanes& lanes = m_lanes[t];
+    const Vec3* corners[4] = {&a, &b, &c, &a};
+    for (int lane = 0; lane < 4; ++lane) {
+      lanes.x[lane] = static_cast<float>(corners[lane]->x());
+      lanes.y[lane] = static_cast<float>(corners[lane]->y());
+      lanes.z[lane] = static_cast<float>(corners[lane]->z());
+    }
+    for (int axis = 0; axis < 3; ++axis) lanes.normal[axis] = static_cast<float>(m_faceNormal[t][axis]);
+    lanes.offset = static_cast<float>(m_faceOffset[t]);
     const double speed = !moves ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
     m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, lookAhead);
     const Vec3 reach = Vec3::Constant(m_margin[t]);
@@ -84,6 +101,10 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
     const Vec3 away = m_x[edge.opposite[1]] - m_x[edge.vertices[0]];
     const double above = m_faceNormal[edge.triangles[0]].dot(away);
     m_convex[e] = above < 0 && above * above > 1e-6 * away.squaredNorm();
+  }
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    const auto [i, j, k] = s.triangleEdges[t];
+    m_convexEdges[t] = static_cast<std::uint8_t>(m_convex[i] | m_convex[j] << 1 | m_convex[k] << 2);
   }
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,8 +39,21 @@ class MovingSurface {
     return m_faceNormal[triangle].dot(p) - m_faceOffset[triangle];
   }
   double margin(int triangle) const { return m_margin[triangle]; }
+
+  /// Corners and plane of a triangle in single precision, four lanes (the last repeats the first corner): for
+  /// throwing away pairs that are far apart, a cache line for each triangle.
+  struct alignas(64) Lanes {
+    std::array<float, 4> x, y, z;
+    std::array<float, 3> normal;
+    float offset;
+  };
+  const Lanes& lanes(int triangle) const { return m_lanes[triangle]; }
+  /// Bound on what single precision does to a height over a plane and to a coordinate, m.
+  float laneSlack() const { return m_laneSlack; }
   /// The faces beside the edge bend away from it by more than about 0.06°.
   bool convex(int edge) const { return m_convex[edge] != 0; }
+  /// Bit k: the triangle's edge k is convex.
+  std::uint8_t convexEdges(int triangle) const { return m_convexEdges[triangle]; }
 
   /// Pseudo-normals, not unit. Source: Bærentzen and Aanæs, IEEE TVCG 11(3), 2005.
   Vec3 edgeNormal(int edge) const;
@@ -73,7 +88,10 @@ class MovingSurface {
   std::vector<double> m_speed;               ///< by vertex, the largest of any motion
   std::vector<Vec3> m_faceNormal;
   std::vector<double> m_faceOffset, m_margin;
+  std::vector<Lanes> m_lanes;
+  float m_laneSlack = 0;
   std::vector<char> m_hasFace, m_convex;
+  std::vector<std::uint8_t> m_convexEdges;
   std::vector<Vec3> m_vertexNormal;
   std::vector<long> m_vertexNormalStep;
   long m_step = 0;

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include "simcore/collide/FeatureKey.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TrianglePoint.h"
@@ -60,6 +64,55 @@ Vec3 velocityOf(const MovingSurface& surface, int motion, const FeaturePoint& po
   return v;
 }
 
+/// How the corners of a triangle lie over the plane of another one, a bit for each lane.
+struct PlaneView {
+  int high, low;      ///< above `high`, below −`low`
+  int near;           ///< no further than `high` on either side
+  int above, below;   ///< certainly on one side
+  bool beyond() const { return high == 15 || low == 15; }
+  bool crosses() const { return above != 15 && below != 15; }
+};
+
+PlaneView viewOver(const MovingSurface::Lanes& corners, const MovingSurface::Lanes& plane, float high, float low, float slack) {
+#ifdef __SSE2__
+  const __m128 x = _mm_mul_ps(_mm_load_ps(corners.x.data()), _mm_set1_ps(plane.normal[0]));
+  const __m128 y = _mm_mul_ps(_mm_load_ps(corners.y.data()), _mm_set1_ps(plane.normal[1]));
+  const __m128 z = _mm_mul_ps(_mm_load_ps(corners.z.data()), _mm_set1_ps(plane.normal[2]));
+  const __m128 height = _mm_sub_ps(_mm_add_ps(_mm_add_ps(x, y), z), _mm_set1_ps(plane.offset));
+  const auto over = [&](float limit) { return _mm_movemask_ps(_mm_cmpgt_ps(height, _mm_set1_ps(limit))); };
+  const auto under = [&](float limit) { return _mm_movemask_ps(_mm_cmplt_ps(height, _mm_set1_ps(limit))); };
+  const int beyond = over(high);
+  return {beyond, under(-low), 15 & ~(beyond | under(-high)), over(slack), under(-slack)};
+#else
+  PlaneView view{0, 0, 0, 0, 0};
+  for (int lane = 0; lane < 4; ++lane) {
+    const float height = corners.x[lane] * plane.normal[0] + corners.y[lane] * plane.normal[1] +
+                         corners.z[lane] * plane.normal[2] - plane.offset;
+    view.high |= (height > high) << lane;
+    view.low |= (height < -low) << lane;
+    view.near |= (height <= high && height >= -high) << lane;
+    view.above |= (height > slack) << lane;
+    view.below |= (height < -slack) << lane;
+  }
+  return view;
+#endif
+}
+
+/// Whether two triangles' own boxes lie apart; the nodes' boxes are wider by margins that add up to `reach`.
+bool boxesApart(const BoxTree::Node& a, const BoxTree::Node& b, float reach) {
+#ifdef __SSE2__
+  // The fourth lane holds child numbers and is not looked at.
+  const __m128 wide = _mm_set1_ps(reach);
+  const __m128 left = _mm_cmpgt_ps(_mm_add_ps(_mm_load_ps(a.low.data()), wide), _mm_load_ps(b.high.data()));
+  const __m128 right = _mm_cmpgt_ps(_mm_add_ps(_mm_load_ps(b.low.data()), wide), _mm_load_ps(a.high.data()));
+  return (_mm_movemask_ps(_mm_or_ps(left, right)) & 7) != 0;
+#else
+  bool apart = false;
+  for (int k = 0; k < 3; ++k) apart |= (a.low[k] + reach > b.high[k]) | (b.low[k] + reach > a.high[k]);
+  return apart;
+#endif
+}
+
 }  // namespace
 
 void PairSearch::prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners) {
@@ -106,32 +159,35 @@ void PairSearch::trianglePair(int ta, int tb) {
   const std::uint8_t ownA = m_a.owners->ofTriangle[ta], ownB = m_b.owners->ofTriangle[tb];
   if ((ownA | ownB) & FeatureOwners::kSkipped) return;
   const MovingSurface &a = *m_a.surface, &b = *m_b.surface;
+  const double reach = a.margin(ta) + b.margin(tb), behind = std::max(m_limits.edgeDepth, reach);
+
+  // Most pairs end here, far apart although their boxes overlap, so they are asked in single precision first, with
+  // thresholds that its errors cannot cross: is there a feature to try or can the triangles meet at all, and is one
+  // wholly on one side of the other's plane and far from it?
+  const float slack = 2 * std::max(a.laneSlack(), b.laneSlack());
+  const int edgesA = ownA >> 3 & a.convexEdges(ta), edgesB = ownB >> 3 & b.convexEdges(tb);
+  const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
+                                    static_cast<float>(reach) - slack);
+  if (!meetable && !((ownA | ownB) & 7) && !(edgesA && edgesB)) return;
+  const float high = static_cast<float>(reach) + slack, low = static_cast<float>(behind) + slack;
+  const PlaneView overB = viewOver(a.lanes(ta), b.lanes(tb), high, low, slack);
+  if (overB.beyond()) return;
+  const PlaneView overA = viewOver(b.lanes(tb), a.lanes(ta), high, low, slack);
+  if (overA.beyond()) return;
+
   const auto &ia = a.topology().triangles[ta], &ib = b.topology().triangles[tb];
-  const double reach = a.margin(ta) + b.margin(tb), behind = -std::max(m_limits.edgeDepth, reach);
-
-  // Wholly on one side of the other's plane and far from it: nothing to find.
-  double ha[3], hb[3];
-  for (int k = 0; k < 3; ++k) ha[k] = b.height(tb, a.x(ia[k]));
-  const double lowA = std::min({ha[0], ha[1], ha[2]}), highA = std::max({ha[0], ha[1], ha[2]});
-  if (lowA > reach || highA < behind) return;
-  for (int k = 0; k < 3; ++k) hb[k] = a.height(ta, b.x(ib[k]));
-  const double lowB = std::min({hb[0], hb[1], hb[2]}), highB = std::max({hb[0], hb[1], hb[2]});
-  if (lowB > reach || highB < behind) return;
-
-  for (int k = 0; k < 3; ++k) {
-    if ((ownA >> k & 1) && std::abs(ha[k]) <= reach) vertexNearTriangle(m_a, m_b, ia[k], tb);
-    if ((ownB >> k & 1) && std::abs(hb[k]) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
+  const int verticesA = ownA & 7 & overB.near, verticesB = ownB & 7 & overA.near;
+  for (int k = 0; k < 3 && (verticesA | verticesB); ++k) {
+    if ((verticesA >> k & 1) && std::abs(b.height(tb, a.x(ia[k]))) <= reach) vertexNearTriangle(m_a, m_b, ia[k], tb);
+    if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
   }
-  for (int i = 0; i < 3; ++i) {
-    if (!(ownA >> (3 + i) & 1)) continue;
+  for (int i = 0; i < 3 && edgesB; ++i) {
+    if (!(edgesA >> i & 1)) continue;
     const int ea = a.topology().triangleEdges[ta][i];
-    if (!a.convex(ea)) continue;
-    for (int j = 0; j < 3; ++j) {
-      const int eb = b.topology().triangleEdges[tb][j];
-      if ((ownB >> (3 + j) & 1) && b.convex(eb)) edgeNearEdge(ea, eb);
-    }
+    for (int j = 0; j < 3; ++j)
+      if (edgesB >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
   }
-  if (lowA <= 0 && highA >= 0 && lowB <= 0 && highB >= 0 &&
+  if (meetable && overB.crosses() && overA.crosses() &&
       trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
     for (int k = 0; k < 3; ++k) {
       suspect(m_a, ia[k]);

@@ -20,12 +20,12 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
   const Outcome outcome = glenoidProgram("--help");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
-  for (const char* command : {"run", "render", "joint", "replay"})
+  for (const char* command : {"run", "render", "joint", "replay", "bench"})
     EXPECT_NE(outcome.out.find(std::string("\n  ") + command), std::string::npos) << outcome.out;
 }
 
 TEST(CommandLine, everyCommandHasHelp) {
-  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "replay"}) {
+  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "replay", "bench"}) {
     const Outcome outcome = glenoidProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_GT(lineCount(outcome.out), 5) << command;
@@ -64,6 +64,7 @@ TEST(CommandLine, badUsageGetsOneSentence) {
   expectOneSentence("joint", "subcommand");
   expectOneSentence("joint polish builtin:shoulder", "polish");
   expectOneSentence("replay", "RECORDING");
+  expectOneSentence("bench --sections growth,speed", "speed");
 }
 
 TEST(CommandLine, whatIsNotThereGetsOneSentence) {

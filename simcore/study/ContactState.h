@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "simcore/live/Run.h"
+
+namespace glenoid {
+
+/// A scene to be measured, not yet compiled, and the hands that move in it.
+struct StudyScene {
+  Joint joint;
+  Scenario scenario;
+  Recording input;
+};
+
+/// A moment of a scene with about a wanted number of contacts.
+struct ContactState {
+  int wanted = 0, contacts = 0, active = 0;
+  double time = 0;             ///< s of the input
+  double contactDistance = 0;  ///< m, of the scenario that gives this many contacts
+  bool distanceChanged = false;  ///< against the scenario as it is shipped
+  std::string mark;            ///< of the recording, what the hands were doing
+  State state;                 ///< before the step
+  Inputs inputs;               ///< of that step
+};
+
+/// Plays the input once and keeps, for each wanted number, the step nearest to it during which a hand presses (inside
+/// a mark of the recording, with at least one active contact; of equals the one with most active contacts). Where that
+/// misses by more than a few hundredths, the contact distance is changed by bisection, at most fourfold either way,
+/// the state staying the same: more or fewer features count as near. The answer says what it took. Fails as
+/// compileModel does, with Unusable for an input that never presses, with Cancelled.
+Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<int>& wanted,
+                                                    const std::function<bool(double)>& progress = {});
+
+/// The scene with the contact distance of a state.
+Scenario scenarioOf(const StudyScene& scene, const ContactState& state);
+
+}  // namespace glenoid
