@@ -35,6 +35,8 @@ const char* toolIcon(ToolKind kind) {
     case ToolKind::Probe: return "tool-probe";
     case ToolKind::Arthroscope: return "tool-arthroscope";
     case ToolKind::Finger: return "tool-finger";
+    case ToolKind::Ball: return "tool-ball";
+    case ToolKind::Bar: return "tool-bar";
   }
   return "tool-probe";
 }

@@ -19,6 +19,8 @@ QString iconName(ToolKind kind) {
     case ToolKind::Probe: return QStringLiteral("tool-probe");
     case ToolKind::Arthroscope: return QStringLiteral("tool-arthroscope");
     case ToolKind::Finger: return QStringLiteral("tool-finger");
+    case ToolKind::Ball: return QStringLiteral("tool-ball");
+    case ToolKind::Bar: return QStringLiteral("tool-bar");
   }
   return {};
 }

@@ -27,6 +27,8 @@ constexpr double kFarSide = 0.5;
 constexpr double kParallel = 1e-6;
 /// Two crossed edges must be at least this share of their overlap below the other's surface.
 constexpr double kWedge = 0.4;
+/// Sine of the angle by which two faces must rise toward each other to make a valley.
+constexpr double kValley = 1e-3;
 
 FeaturePoint vertexPoint(int vertex) {
   FeaturePoint point;
@@ -111,6 +113,13 @@ bool boxesApart(const BoxTree::Node& a, const BoxTree::Node& b, float reach) {
   for (int k = 0; k < 3; ++k) apart |= (a.low[k] + reach > b.high[k]) | (b.low[k] + reach > a.high[k]);
   return apart;
 #endif
+}
+
+bool isValley(const MovingSurface& surface, int e) {
+  const CollisionSurface::Edge& edge = surface.topology().edges[e];
+  if (edge.triangles[1] < 0) return false;
+  const Vec3 away = surface.x(edge.opposite[1]) - surface.x(edge.vertices[0]);
+  return surface.faceNormal(edge.triangles[0]).dot(away) > kValley * away.norm();
 }
 
 }  // namespace
@@ -282,6 +291,13 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
       first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
             : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
 
+  if (feature.kind == FeatureKind::Edge && isValley(*other.surface, feature.id)) {
+    // At the bottom of a valley the direction to the edge is that of neither face, and rounding if they touch.
+    for (const int t : other.surface->topology().edges[feature.id].triangles) emitPlane(mine, other, vertex, t, 1);
+    return;
+  }
+  if (feature.kind == FeatureKind::Face) acrossValleys(mine, other, vertex, triangle);
+
   // Where faces meet almost flat, rounding lets two features claim the same foot: the lower key stays.
   if (mine.chainMark[vertex] != m_mark) {
     mine.chainMark[vertex] = m_mark;
@@ -302,6 +318,55 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
   m_next.resize(m_out->size() + 1);
   m_next[m_out->size()] = mine.chain[vertex];
   mine.chain[vertex] = static_cast<int>(m_out->size());
+  m_out->push_back(contact);
+}
+
+/// Beside a concave edge the outside is what lies in front of both faces, so a vertex that touches one of them and
+/// may slide to the edge within the step needs the other's plane as well; with one at a time it would swing between
+/// them, always inside the one that was left out.
+void PairSearch::acrossValleys(Side& mine, Side& other, int vertex, int triangle) {
+  const MovingSurface& surface = *other.surface;
+  for (const int e : surface.topology().triangleEdges[triangle]) {
+    if (!isValley(surface, e)) continue;
+    const auto& triangles = surface.topology().edges[e].triangles;
+    const int beside = triangles[triangles[0] == triangle ? 1 : 0];
+    const double sine = surface.faceNormal(triangle).cross(surface.faceNormal(beside)).norm();
+    emitPlane(mine, other, vertex, beside, sine);
+  }
+}
+
+/// The plane of a face as seen from a vertex whose foot may lie at the face's edge. `sine`: of the angle between
+/// the plane that the vertex slides along and this one.
+void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, double sine) {
+  if (other.owners->ofTriangle[triangle] & FeatureOwners::kSkipped) return;
+  const MovingSurface& surface = *other.surface;
+  const Vec3 &p = mine.surface->x(vertex), &n = surface.faceNormal(triangle);
+  const auto& corners = surface.topology().triangles[triangle];
+  const auto [i, j, k] = corners;
+  const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
+  const FeaturePoint foot{3, corners, {w[0], w[1], w[2]}};
+  const double gap = surface.height(triangle, p);
+  double slide = 0;
+  for (int motion = 0; motion < m_settings.motionCount; ++motion)
+    slide = std::max(slide, m_settings.dt * (mine.surface->v(motion, vertex) - velocityOf(surface, motion, foot)).norm());
+  const double reach = m_settings.contactDistance + std::min(slide, m_limits.lookAhead);
+  // Sliding brings the vertex nearer to the plane by the sine of their angle at most.
+  if (gap > reach * sine || gap < -m_limits.depth) return;
+  const Vec3 to = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
+  if ((p - to).squaredNorm() > reach * reach + gap * gap) return;
+  const Vec3& own = mine.surface->vertexNormal(vertex);
+  if (own.dot(n) > kFarSide * own.norm()) return;
+  const bool first = &mine == &m_a;
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  contact.gap = gap;
+  contact.normal_W = first ? n : Vec3(-n);
+  (first ? contact.a : contact.b) = vertexPoint(vertex);
+  (first ? contact.b : contact.a) = foot;
+  contact.key = first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, FeatureKind::Face, triangle)
+                      : FeatureKey::make(m_settings.pair, FeatureKind::Face, triangle, FeatureKind::Vertex, vertex);
+  m_next.resize(m_out->size() + 1);
+  m_next[m_out->size()] = -1;
   m_out->push_back(contact);
 }
 

@@ -34,6 +34,8 @@ class PairSearch {
   void prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners);
   void trianglePair(int ta, int tb);
   void vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle);
+  void acrossValleys(Side& mine, Side& other, int vertex, int triangle);
+  void emitPlane(Side& mine, Side& other, int vertex, int triangle, double sine);
   void edgeNearEdge(int ea, int eb);
   void suspect(Side& mine, int vertex);
   void followInside(Side& mine, Side& other);

@@ -36,11 +36,13 @@ struct Hold {
   bool operator==(const Hold&) const = default;
 };
 
-enum class ToolKind { Probe, Arthroscope, Finger };
+enum class ToolKind { Probe, Arthroscope, Finger, Ball, Bar };
 
 /// A tool: a free rigid body with a mass, pulled by a virtual coupling toward the pose of the hand.
 /// Tool frame: origin at the tip, +Z from the tip along the shaft to the handle. The surface is a shaft of
-/// this length and radius with a rounded tip (probe: with a hook toward +X). The coupling pulls at the tip.
+/// this length and radius with a rounded tip (probe: with a hook toward +X). A ball has its radius at the tip
+/// only and hangs on a thin shaft; a bar is square, and its radius is half of its side. The coupling pulls at
+/// the tip.
 struct Tool {
   std::string id;                    ///< slug, unique in the scenario
   std::string name;                  ///< shown to people

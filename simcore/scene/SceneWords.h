@@ -17,8 +17,11 @@ struct Word {
 inline constexpr std::array<Word<Profile>, 3> kProfiles{
     {{Profile::Paper, "paper"}, {Profile::Direct, "direct"}, {Profile::Reference, "reference"}}};
 inline constexpr std::array<Word<Wish>, 3> kWishes{{{Wish::Auto, "auto"}, {Wish::On, "on"}, {Wish::Off, "off"}}};
-inline constexpr std::array<Word<ToolKind>, 3> kToolKinds{
-    {{ToolKind::Probe, "probe"}, {ToolKind::Arthroscope, "arthroscope"}, {ToolKind::Finger, "finger"}}};
+inline constexpr std::array<Word<ToolKind>, 5> kToolKinds{{{ToolKind::Probe, "probe"},
+                                                           {ToolKind::Arthroscope, "arthroscope"},
+                                                           {ToolKind::Finger, "finger"},
+                                                           {ToolKind::Ball, "ball"},
+                                                           {ToolKind::Bar, "bar"}}};
 
 template <class Table, class Enum>
 const char* wordOf(const Table& table, Enum value) {

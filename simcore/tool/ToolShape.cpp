@@ -73,6 +73,31 @@ TriMesh hooked(double length, double radius, int segments) {
   return sweep(rings, Vec3(bend + reach + 0.3 * radius, 0, radius), (length + 0.5 * radius) * z, segments);
 }
 
+/// Sphere that touches the origin from above, then a thin shaft; corners lie on the sphere.
+TriMesh ball(double length, double radius, int segments) {
+  const double shaft = 0.25 * radius;
+  std::vector<Ring> rings;
+  const Vec3 z = Vec3::UnitZ();
+  for (int k = 1; k < segments / 2; ++k) {
+    const double polar = 2 * std::numbers::pi * k / segments, ring = radius * std::sin(polar);
+    if (polar > std::numbers::pi / 2 && ring < 1.5 * shaft) break;  // the shaft begins here
+    rings.push_back({radius * (1 - std::cos(polar)) * z, z, ring});
+  }
+  const double neck = radius * (1 + std::sqrt(1 - 0.25 * 0.25));
+  for (const double at : {neck, std::max(length, 1.1 * neck)}) rings.push_back({at * z, z, shaft});
+  return sweep(rings, Vec3::Zero(), (rings.back().centre.z() + 0.5 * shaft) * z, segments);
+}
+
+/// Square bar along +Z from the middle of its end face.
+TriMesh bar(double length, double half) {
+  TriMesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.push_back({corner & 1 ? half : -half, corner & 2 ? half : -half, corner & 4 ? length : 0});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
 }  // namespace
 
 TriMesh makeToolSurface(const Tool& tool, int segments) {
@@ -80,6 +105,8 @@ TriMesh makeToolSurface(const Tool& tool, int segments) {
     case ToolKind::Probe: return hooked(tool.length, tool.radius, segments);
     case ToolKind::Arthroscope: return straight(tool.length, tool.radius, tool.radius, tool.radius, segments);
     case ToolKind::Finger: return straight(tool.length, 0.75 * tool.radius, tool.radius, 0.4 * tool.length, segments);
+    case ToolKind::Ball: return ball(tool.length, tool.radius, 2 * segments);
+    case ToolKind::Bar: return bar(tool.length, tool.radius);
   }
   return {};
 }

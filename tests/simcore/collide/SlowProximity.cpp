@@ -60,6 +60,27 @@ struct Mesh {
     return sum > 2 * std::numbers::pi;
   }
 
+  /// The two faces rise from the edge toward each other.
+  bool valley(const std::array<int, 2>& edge) const {
+    const std::vector<int>& t = edges.at(edge);
+    const Vec3 away = x(opposite(t[1], edge)) - x(edge[0]);
+    return normal(t[0]).dot(away) > 1e-3 * away.norm();
+  }
+  /// By the face's inside and its three sides.
+  double distanceTo(int t, const Vec3& p) const {
+    const auto& c = mesh.triangles[t];
+    const Vec3 n = normal(t), q = p - n * n.dot(p - x(c[0]));
+    bool within = true;
+    double nearest = 1e30;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &from = x(c[k]), d = x(c[(k + 1) % 3]) - from;
+      within &= n.dot(d.cross(q - from)) > 0;
+      const double s = std::clamp(d.dot(p - from) / d.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (from + s * d - p).norm());
+    }
+    return within ? (q - p).norm() : nearest;
+  }
+
   struct Foot {
     Name feature;  ///< ascending vertices
     Vec3 point, outward;
@@ -122,9 +143,38 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
   std::map<Name, SlowContact> found;
   const Mesh a(meshA), b(meshB);
   const auto vertices = [&](const Mesh& mine, const Mesh& other, bool first) {
+    const auto put = [&](int v, const Name& feature, const Vec3& outward, double gap) {
+      found[first ? join({v}, feature) : join(feature, {v})] = {gap, first ? outward : Vec3(-outward)};
+    };
+    // The plane of a face on the other side of a valley, if sliding by the contact distance could reach it.
+    const auto addPlane = [&](int v, int t, double sine) {
+      const auto& c = other.mesh.triangles[t];
+      const Vec3 &p = mine.x(v), n = other.normal(t);
+      const double gap = n.dot(p - other.x(c[0]));
+      const double beside = other.distanceTo(t, p), along = std::sqrt(std::max(0.0, beside * beside - gap * gap));
+      if (gap > contactDistance * sine || along > contactDistance || gap < -limits.depth) return;
+      if (mine.vertexNormal(v).dot(n) > 0.5) return;
+      Name name(c.begin(), c.end());
+      std::sort(name.begin(), name.end());
+      put(v, name, n, gap);
+    };
     const auto add = [&](int v, const Mesh::Foot& foot, const Vec3& outward, double gap) {
-      const Name name = first ? join({v}, foot.feature) : join(foot.feature, {v});
-      found[name] = {gap, first ? outward : Vec3(-outward)};
+      if (foot.feature.size() == 2 && other.valley({foot.feature[0], foot.feature[1]})) {
+        for (const int t : other.edges.at({foot.feature[0], foot.feature[1]})) addPlane(v, t, 1);
+        return;
+      }
+      put(v, foot.feature, outward, gap);
+      if (foot.feature.size() < 3) return;
+      for (const auto& edge : {std::array{foot.feature[0], foot.feature[1]}, std::array{foot.feature[1], foot.feature[2]},
+                               std::array{foot.feature[0], foot.feature[2]}}) {
+        if (!other.valley(edge)) continue;
+        const std::vector<int>& both = other.edges.at(edge);
+        const double sine = other.normal(both[0]).cross(other.normal(both[1])).norm();
+        for (const int t : both)
+          if (other.opposite(t, edge) != foot.feature[0] && other.opposite(t, edge) != foot.feature[1] &&
+              other.opposite(t, edge) != foot.feature[2])
+            addPlane(v, t, sine);
+      }
     };
     for (int v = 0; v < static_cast<int>(mine.mesh.vertices.size()); ++v) {
       const Vec3& p = mine.x(v);

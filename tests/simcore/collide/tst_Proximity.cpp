@@ -203,6 +203,57 @@ TEST(Proximity, lookAheadFollowsTheClosingSpeedUpToItsCap) {
   EXPECT_EQ(countAt({0, -50, 0}, {0, 0, 0}), 0u);  // 1.5 + at most 2 mm
 }
 
+/// A spike whose tip hangs at `tip`, over a plate with a groove of slope `rise` along Z at x = 0.
+CollisionScene spikeOverGroove(const Vec3& tip, double rise) {
+  TriMesh groove;
+  for (const double z : {-0.02, 0.02})
+    for (const double x : {-0.02, 0.0, 0.02}) {
+      groove.vertices.push_back({x, std::abs(x) * rise, z});
+      groove.vertices.push_back({x, -0.02, z});
+    }
+  // Two prisms side by side, their common wall left out.
+  const auto quad = [&](int a, int b, int c, int d) {
+    groove.triangles.push_back({a, b, c});
+    groove.triangles.push_back({a, c, d});
+  };
+  for (const int x : {0, 2}) {
+    quad(x, x + 6, x + 8, x + 2);      // top
+    quad(x + 1, x + 3, x + 9, x + 7);  // bottom
+    quad(x, x + 2, x + 3, x + 1);      // ends
+    quad(x + 6, x + 7, x + 9, x + 8);
+  }
+  quad(0, 1, 7, 6);
+  quad(4, 10, 11, 5);
+  TriMesh spike;
+  spike.vertices = {tip, tip + Vec3(-0.001, 0.02, -0.001), tip + Vec3(0.001, 0.02, -0.001), tip + Vec3(0, 0.02, 0.001)};
+  spike.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  return twoMeshes(groove, spike);
+}
+
+TEST(Proximity, tipInAValleyMeetsBothOfItsSides) {
+  const double rise = 0.1, sine = 0.1 / std::sqrt(1.01);
+  // Above, touching and below; left of the edge, on it, and right of it.
+  for (const double y : {5e-5, 0.0, -2e-4})
+    for (const double x : {-2e-4, 0.0, 1e-5, 2e-4}) {
+      const auto found = spikeOverGroove({x, y + std::abs(x) * rise, 0.003}, rise).find(0.0015);
+      double left = 0, right = 0;
+      for (const Proximity& c : found) {
+        // From the spike to the groove, so against the outward normal.
+        EXPECT_NEAR(std::abs(c.normal_W.x()), sine, 1e-9) << "a plane of one of the sides";
+        (c.normal_W.x() < 0 ? left : right) += 1;
+        const double side = c.normal_W.x() < 0 ? 1 : -1;
+        EXPECT_NEAR(c.gap, (y + std::abs(x) * rise + side * x * rise) / std::sqrt(1.01), 1e-12);
+      }
+      EXPECT_GE(left, 1) << x << ' ' << y;
+      EXPECT_GE(right, 1) << x << ' ' << y;
+    }
+}
+
+TEST(Proximity, farFromAValleyItsOtherSideIsLeftAlone) {
+  const auto found = spikeOverGroove({2.5e-3, 2.6e-4, 0.003}, 0.1).find(0.0015);
+  ASSERT_EQ(found.size(), 1u);
+}
+
 TEST(Proximity, equalsBruteForceOverAllFeatures) {
   Numbers numbers(11);
   int positive = 0, negative = 0, edges = 0;

@@ -40,7 +40,12 @@ Scenario sample() {
   finger.dampingRatio = 0.5;
   finger.forceMax = 20;
   finger.friction = 0.35;
-  scenario.tools = {probe, finger};
+  Tool ball = finger, bar = finger;
+  ball.id = "ball";
+  ball.kind = ToolKind::Ball;
+  bar.id = "bar";
+  bar.kind = ToolKind::Bar;
+  scenario.tools = {probe, finger, ball, bar};
   scenario.effects.friction = Wish::Off;
   scenario.effects.haptics = Wish::On;
   scenario.cameras = {{"front", "Front", {0.4, 0, 0}, {0, 0.1, 0}, {0, 0, 1}, 0.5}};

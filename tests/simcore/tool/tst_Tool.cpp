@@ -13,7 +13,7 @@ namespace {
 Tool toolOf(ToolKind kind) {
   Tool tool;
   tool.kind = kind;
-  tool.radius = kind == ToolKind::Finger ? 0.008 : 0.0015;
+  tool.radius = kind == ToolKind::Finger || kind == ToolKind::Ball ? 0.008 : 0.0015;
   return tool;
 }
 
@@ -40,7 +40,28 @@ TEST_P(ToolShape, tipIsTheOriginAndTheShaftGoesUp) {
   EXPECT_NEAR(box.max().z(), tool.length, 1.2 * tool.radius);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, ToolShape, testing::Values(ToolKind::Probe, ToolKind::Arthroscope, ToolKind::Finger));
+INSTANTIATE_TEST_SUITE_P(Kinds, ToolShape, testing::Values(ToolKind::Probe, ToolKind::Arthroscope, ToolKind::Finger,
+                                                           ToolKind::Ball, ToolKind::Bar));
+
+TEST(ToolShapes, ballIsASphereAtTheTip) {
+  const Tool tool = toolOf(ToolKind::Ball);
+  const TriMesh mesh = makeToolSurface(tool, kToolCollisionSegments);
+  const Vec3 centre(0, 0, tool.radius);
+  int below = 0;
+  for (const Vec3& p : mesh.vertices) {
+    if (p.z() > centre.z()) continue;
+    EXPECT_NEAR((p - centre).norm(), tool.radius, 1e-15);
+    ++below;
+  }
+  EXPECT_GT(below, 4 * 2 * kToolCollisionSegments) << "twice the corners of a shaft, in four rings and more";
+}
+
+TEST(ToolShapes, barIsABox) {
+  const Tool tool = toolOf(ToolKind::Bar);
+  const TriMesh mesh = makeToolSurface(tool, kToolCollisionSegments);
+  EXPECT_EQ(mesh.triangles.size(), 12u);
+  EXPECT_NEAR(enclosedVolume(mesh), 4 * tool.radius * tool.radius * tool.length, 1e-15);
+}
 
 struct HeldBody {
   HeldBody() {
