@@ -230,6 +230,7 @@ void PropertiesPanel::showTool(QVBoxLayout& layout, const Tool& tool) {
   form->addRow(tr("Mass:"), label(tr("%1 g").arg(number(1e3 * tool.mass, 0))));
   form->addRow(tr("Hand stiffness:"), label(tr("%1 N/mm").arg(number(1e-3 * tool.stiffness, 2))));
   form->addRow(tr("Largest pull:"), label(tr("%1 N").arg(number(tool.forceMax, 1))));
+  form->addRow(tr("Friction:"), label(number(tool.friction, 2)));
 }
 
 void PropertiesPanel::changeEvent(QEvent* event) {

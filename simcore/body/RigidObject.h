@@ -18,7 +18,8 @@ Result<MassProperties> massPropertiesOf(const TriMesh& surface, double density);
 
 /// Rigid body: q = (centre of mass, unit quaternion x y z w), v = (linear, angular), both in W.
 /// Body frame B: origin at the centre of mass, axes of the rest frame.
-/// Gyroscopic torque is taken explicitly: bones and held tools turn by |ω|Δt far below one.
+/// A step changes its momenta at the orientation it started with; then the body moves freely: it turns with its angular
+/// momentum and its energy kept (Euler's equations by a midpoint rule in sub-steps), however far it turns in a step.
 class RigidObject : public ContactObject {
  public:
   /// `withWeight`: false for a tool, whose weight the hand carries.

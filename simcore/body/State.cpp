@@ -13,6 +13,7 @@ Hash128 stateHash(const State& state) {
   for (const State::Impulse& impulse : state.impulses) {
     mix(&impulse.key, sizeof impulse.key);
     mix(&impulse.value, sizeof impulse.value);
+    mix(impulse.friction_W.data(), sizeof impulse.friction_W);
   }
   return hash;
 }

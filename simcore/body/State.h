@@ -23,6 +23,7 @@ struct State {
   struct Impulse {
     std::uint64_t key;
     double value;  ///< N·s
+    Vec3 friction_W = Vec3::Zero();  ///< tangential, N·s
   };
   std::vector<Impulse> impulses;
 };

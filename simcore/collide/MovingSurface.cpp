@@ -37,19 +37,26 @@ MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
   m_vertexNormalStep.assign(m_topology->vertexCount, -1);
 }
 
-void MovingSurface::update(std::span<const Vec3> positions, std::span<const Vec3> velocities,
+void MovingSurface::update(std::span<const Vec3> positions, std::span<const std::span<const Vec3>> motions,
                            double contactDistance, double dt, double lookAhead) {
   const CollisionSurface& s = *m_topology;
   assert(static_cast<int>(positions.size()) == s.vertexCount);
-  assert(velocities.empty() || velocities.size() == positions.size());
+  assert(motions.size() <= m_v.size());
   ++m_step;
   m_x = positions;
-  m_v = velocities;
+  m_v.fill({});
+  std::copy(motions.begin(), motions.end(), m_v.begin());
   double sum = 0;  // not finite as soon as one entry is not
   for (const Vec3& p : positions) sum += p.sum();
-  for (std::size_t i = 0; i < velocities.size(); ++i) {
-    m_speed[i] = velocities[i].norm();
-    sum += m_speed[i];
+  bool moves = false;
+  for (const std::span<const Vec3> velocities : motions) {
+    assert(velocities.empty() || velocities.size() == positions.size());
+    for (std::size_t i = 0; i < velocities.size(); ++i) {
+      const double speed = velocities[i].norm();
+      sum += speed;
+      m_speed[i] = moves ? std::max(m_speed[i], speed) : speed;
+    }
+    moves = moves || !velocities.empty();
   }
   m_usable = std::isfinite(sum) && !s.triangles.empty();
   if (!m_usable) return;
@@ -61,7 +68,7 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const Vec3
     const double area = twice.norm();
     m_faceNormal[t] = area > 0 ? Vec3(twice / area) : Vec3(Vec3::Zero());
     m_faceOffset[t] = m_faceNormal[t].dot(a);
-    const double speed = m_v.empty() ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
+    const double speed = !moves ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
     m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, lookAhead);
     const Vec3 reach = Vec3::Constant(m_margin[t]);
     m_tree.setBox(static_cast<int>(t), a.cwiseMin(b).cwiseMin(c) - reach, a.cwiseMax(b).cwiseMax(c) + reach);

@@ -18,16 +18,16 @@ class MovingSurface {
  public:
   explicit MovingSurface(std::shared_ptr<const CollisionSurface> topology);
 
-  /// Boxes reach margin = contactDistance / 2 + min(speed · dt, lookAhead) beyond their triangle. The spans
-  /// must outlive the queries.
-  void update(std::span<const Vec3> positions, std::span<const Vec3> velocities, double contactDistance,
+  /// Boxes reach margin = contactDistance / 2 + min(speed · dt, lookAhead) beyond their triangle, with the largest speed
+  /// of any motion. An empty motion is rest. The spans must outlive the queries.
+  void update(std::span<const Vec3> positions, std::span<const std::span<const Vec3>> motions, double contactDistance,
               double dt, double lookAhead);
 
   const CollisionSurface& topology() const { return *m_topology; }
   bool usable() const { return m_usable; }
   const BoxTree& tree() const { return m_tree; }
   const Vec3& x(int vertex) const { return m_x[vertex]; }
-  Vec3 v(int vertex) const { return m_v.empty() ? Vec3::Zero() : m_v[vertex]; }
+  Vec3 v(int motion, int vertex) const { return m_v[motion].empty() ? Vec3::Zero() : m_v[motion][vertex]; }
   const Vec3& faceNormal(int triangle) const {
     return m_faceNormal[triangle];
   }  ///< unit, or zero without area
@@ -66,8 +66,9 @@ class MovingSurface {
  private:
   std::shared_ptr<const CollisionSurface> m_topology;
   BoxTree m_tree;
-  std::span<const Vec3> m_x, m_v;
-  std::vector<double> m_speed;  ///< by vertex
+  std::span<const Vec3> m_x;
+  std::array<std::span<const Vec3>, 4> m_v;  ///< by motion
+  std::vector<double> m_speed;               ///< by vertex, the largest of any motion
   std::vector<Vec3> m_faceNormal;
   std::vector<double> m_faceOffset, m_margin;
   std::vector<char> m_convex;

@@ -56,9 +56,9 @@ FeaturePoint trianglePoint(const std::array<int, 3>& triangle, const Vec3& w) {
   return point;
 }
 
-Vec3 velocityOf(const MovingSurface& surface, const FeaturePoint& point) {
+Vec3 velocityOf(const MovingSurface& surface, int motion, const FeaturePoint& point) {
   Vec3 v = Vec3::Zero();
-  for (int k = 0; k < point.count; ++k) v += point.weight[k] * surface.v(point.vertex[k]);
+  for (int k = 0; k < point.count; ++k) v += point.weight[k] * surface.v(motion, point.vertex[k]);
   return v;
 }
 
@@ -149,10 +149,18 @@ void PairSearch::trianglePair(int ta, int tb) {
   }
 }
 
-bool PairSearch::near(double gap, const Vec3& normal, const Vec3& velocityA, const Vec3& velocityB) const {
+bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a,
+                      const MovingSurface& second, const FeaturePoint& b) const {
   if (gap < m_settings.contactDistance) return true;
-  const double closing = -normal.dot(velocityA - velocityB) * m_settings.dt;
-  return gap < m_settings.contactDistance + std::clamp(closing, 0.0, m_limits.lookAhead);
+  // Each side may follow another motion, so the most of one adds to the most of the other.
+  double closingA = 0, closingB = 0;
+  for (int motion = 0; motion < m_settings.motionCount; ++motion) {
+    const double ofA = -normal.dot(velocityOf(first, motion, a)), ofB = normal.dot(velocityOf(second, motion, b));
+    closingA = motion == 0 ? ofA : std::max(closingA, ofA);
+    closingB = motion == 0 ? ofB : std::max(closingB, ofB);
+  }
+  const double ahead = (closingA + closingB) * m_settings.dt;
+  return gap < m_settings.contactDistance + std::clamp(ahead, 0.0, m_limits.lookAhead);
 }
 
 /// Whether no point of the surface beside the feature is nearer than the foot, `away` being the way from it.
@@ -217,7 +225,7 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
   contact.normal_W = first ? outward : Vec3(-outward);
   contact.gap = gap;
   if (gap >= 0) {
-    if (!near(gap, outward, mine.surface->v(vertex), velocityOf(*other.surface, foot))) return;
+    if (!near(gap, outward, *mine.surface, own, *other.surface, foot)) return;
     const Vec3& normal = mine.surface->vertexNormal(vertex);
     if (normal.dot(outward) > kFarSide * normal.norm()) return;
   }
@@ -280,7 +288,9 @@ void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, do
   const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
   const FeaturePoint foot{3, corners, {w[0], w[1], w[2]}};
   const double gap = surface.height(triangle, p);
-  const double slide = (mine.surface->v(vertex) - velocityOf(surface, foot)).norm() * m_settings.dt;
+  double slide = 0;
+  for (int motion = 0; motion < m_settings.motionCount; ++motion)
+    slide = std::max(slide, (mine.surface->v(motion, vertex) - velocityOf(surface, motion, foot)).norm() * m_settings.dt);
   const double reach = m_settings.contactDistance + std::min(slide, m_limits.lookAhead);
   // Sliding brings the vertex nearer to the plane by the sine of their angle at most.
   if (gap > reach * sine || gap < -m_limits.depth) return;
@@ -333,7 +343,7 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   contact.b = edgePoint(edgeB, t / n2);
   contact.normal_W = n;
   contact.gap = gap;
-  if (!near(gap, n, velocityOf(a, contact.a), velocityOf(b, contact.b))) return;
+  if (!near(gap, n, a, contact.a, b, contact.b)) return;
   if (gap < -kTouching) {
     const double least = -kWedge * gap;
     if (!inDepth(m_b, a0 + s / n2 * da, least) || !inDepth(m_a, b0 + t / n2 * db, least)) return;

@@ -15,7 +15,7 @@ class PairSearch {
   explicit PairSearch(const ProximityLimits& limits) : m_limits(limits) {}
 
   struct Settings {
-    int pair = 0;
+    int pair = 0, motionCount = 0;
     double contactDistance = 0, dt = 0;
   };
   void run(const Settings& settings, MovingSurface& a, const FeatureOwners& ownersA, MovingSurface& b,
@@ -44,7 +44,9 @@ class PairSearch {
                       const Vec3& away) const;
   void emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                   const MovingSurface::Feature& feature, const Vec3& outward, double gap);
-  bool near(double gap, const Vec3& normal, const Vec3& velocityA, const Vec3& velocityB) const;
+  /// Whether points a of `first` and b of `second`, gap apart along the normal, come near in one of the motions.
+  bool near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a, const MovingSurface& second,
+            const FeaturePoint& b) const;
 
   ProximityLimits m_limits;
   Settings m_settings;

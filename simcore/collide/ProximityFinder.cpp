@@ -46,19 +46,27 @@ ProximityFinder& ProximityFinder::operator=(ProximityFinder&&) noexcept = defaul
 const std::vector<Proximity>& ProximityFinder::find(std::span<const std::span<const Vec3>> positions,
                                                     std::span<const std::span<const Vec3>> velocities,
                                                     double contactDistance, double dt) {
+  return findAlong(positions, std::span<const Motion>(&velocities, velocities.empty() ? 0 : 1), contactDistance, dt);
+}
+
+const std::vector<Proximity>& ProximityFinder::findAlong(std::span<const std::span<const Vec3>> positions,
+                                                         std::span<const Motion> motions, double contactDistance,
+                                                         double dt) {
   Work& w = *m_work;
   assert(positions.size() == w.surfaces.size());
-  assert(velocities.empty() || velocities.size() == w.surfaces.size());
+  assert(motions.size() <= kMotionsMost);
+  const int motionCount = static_cast<int>(motions.size());
   w.result.clear();
   w.counts = {};
   for (std::size_t s = 0; s < w.moving.size(); ++s) {
     if (!w.used[s]) continue;
-    w.moving[s].update(positions[s], velocities.empty() ? std::span<const Vec3>{} : velocities[s],
-                       contactDistance, dt, w.limits.lookAhead);
+    std::array<std::span<const Vec3>, kMotionsMost> velocities;
+    for (int m = 0; m < motionCount; ++m) velocities[m] = motions[m][s];
+    w.moving[s].update(positions[s], {velocities.data(), motions.size()}, contactDistance, dt, w.limits.lookAhead);
   }
   for (std::size_t p = 0; p < w.pairs.size(); ++p) {
     const CollisionPair& pair = w.pairs[p];
-    w.search.run({static_cast<int>(p), contactDistance, dt}, w.moving[pair.surfaceA], w.owners[p][0],
+    w.search.run({static_cast<int>(p), motionCount, contactDistance, dt}, w.moving[pair.surfaceA], w.owners[p][0],
                  w.moving[pair.surfaceB], w.owners[p][1], w.result, w.counts);
   }
   std::sort(w.result.begin(), w.result.end(), [](const Proximity& a, const Proximity& b) {

@@ -35,6 +35,13 @@ class ProximityFinder {
                                      std::span<const std::span<const Vec3>> velocities,
                                      double contactDistance, double dt);
 
+  /// Velocities of all surfaces as they may be in this step, laid out like find()'s.
+  using Motion = std::span<const std::span<const Vec3>>;
+  /// The same for several motions, at most kMotionsMost: what may come near, each surface following any of them.
+  const std::vector<Proximity>& findAlong(std::span<const std::span<const Vec3>> positions,
+                                          std::span<const Motion> motions, double contactDistance, double dt);
+  static constexpr int kMotionsMost = 4;
+
   const std::vector<CollisionPair>& pairs() const;
   const std::vector<std::shared_ptr<const CollisionSurface>>& surfaces() const;
 

@@ -31,21 +31,14 @@ bool IslandRows::finish() {
   return true;
 }
 
-std::span<const SparseRow> IslandRows::rows() {
-  m_rows.clear();
-  for (int row = 0; row < count(); ++row)
-    m_rows.emplace_back(m_terms.data() + m_start[row], m_start[row + 1] - m_start[row]);
-  return m_rows;
-}
-
-double IslandRows::dot(int row, const VecX& v) const {
+double dot(SparseRow row, const VecX& v) {
   double sum = 0;
-  for (int i = m_start[row]; i < m_start[row + 1]; ++i) sum += m_terms[i].coefficient.dot(v.segment<3>(3 * m_terms[i].block));
+  for (const RowTerm& term : row) sum += term.coefficient.dot(v.segment<3>(3 * term.block));
   return sum;
 }
 
-void IslandRows::addTransposed(int row, double lambda, VecX& r) const {
-  for (int i = m_start[row]; i < m_start[row + 1]; ++i) r.segment<3>(3 * m_terms[i].block) += lambda * m_terms[i].coefficient;
+void addTransposed(SparseRow row, double lambda, VecX& r) {
+  for (const RowTerm& term : row) r.segment<3>(3 * term.block) += lambda * term.coefficient;
 }
 
 }  // namespace glenoid

@@ -18,21 +18,23 @@ class IslandRows {
   void append(const ContactObject& object, const MaterialPoint& point, const Vec3& direction, const VecX& q, int base);
   /// Ends the row: terms ascending by block. A row without terms is taken back; false then.
   bool finish();
-  /// Spans over all rows; call once when all rows are there.
-  std::span<const SparseRow> rows();
 
   int count() const { return static_cast<int>(m_contact.size()); }
   int contactOf(int row) const { return m_contact[row]; }
-  /// J v of one row; v: the island's velocities.
-  double dot(int row, const VecX& v) const;
-  /// r += Jᵀ λ of one row.
-  void addTransposed(int row, double lambda, VecX& r) const;
+  /// Valid until the next begin() or clear().
+  SparseRow row(int row) const {
+    return {m_terms.data() + m_start[row], static_cast<std::size_t>(m_start[row + 1] - m_start[row])};
+  }
 
  private:
   std::vector<RowTerm> m_terms;
   std::vector<int> m_start{0};
   std::vector<int> m_contact;
-  std::vector<SparseRow> m_rows;
 };
+
+/// J v of one row; v: the island's velocities.
+double dot(SparseRow row, const VecX& v);
+/// r += Jᵀ λ of one row.
+void addTransposed(SparseRow row, double lambda, VecX& r);
 
 }  // namespace glenoid

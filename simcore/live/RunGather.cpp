@@ -23,8 +23,8 @@ int objectOf(const Model& model, const std::string& id, bool tool) {
 Vec3 netForce(const std::vector<ContactView>& contacts, int first, int second) {
   Vec3 sum = Vec3::Zero();
   for (const ContactView& c : contacts) {
-    if (c.objectA == first && (second < 0 || c.objectB == second)) sum += c.force * c.normal_W;
-    else if (c.objectB == first && (second < 0 || c.objectA == second)) sum -= c.force * c.normal_W;
+    if (c.objectA == first && (second < 0 || c.objectB == second)) sum += c.force * c.normal_W + c.friction_W;
+    else if (c.objectB == first && (second < 0 || c.objectA == second)) sum -= c.force * c.normal_W + c.friction_W;
   }
   return sum;
 }
@@ -42,7 +42,7 @@ const std::vector<EffectStages>& effectStages() {
       {"gravity", {}, "assemble"},
       {"couplings", {}, "assemble"},
       {"damping", {}, "assemble"},
-      {"friction", {}, "contact"},
+      {"friction", {Stage::Friction}, ""},
       {"selfContact", {}, "collide"},
   };
   return table;

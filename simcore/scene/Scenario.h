@@ -53,6 +53,7 @@ struct Tool {
   double angularStiffness = 2;       ///< N·m/rad
   double dampingRatio = 1.0;         ///< of the coupling against the tool's mass, 1 = critical
   double forceMax = 10;              ///< N, the coupling's pull is clamped here
+  double friction = 0.1;             ///< Coulomb coefficient of this side; a pair uses the geometric mean
   Pose home;                         ///< hand pose at the start, W
   std::vector<std::string> perforates;  ///< parts that the shaft passes through without contact
 };

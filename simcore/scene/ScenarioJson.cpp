@@ -40,6 +40,7 @@ JsonValue fromTool(const Tool& tool) {
   json.set("angularStiffness", tool.angularStiffness);
   json.set("dampingRatio", tool.dampingRatio);
   json.set("forceMax", tool.forceMax);
+  json.set("friction", tool.friction);
   json.set("home", fromPose(tool.home));
   json.set("perforates", fromTexts(tool.perforates));
   return json;
@@ -57,6 +58,7 @@ Tool toTool(const JsonValue& json) {
   tool.angularStiffness = json["angularStiffness"].number(tool.angularStiffness);
   tool.dampingRatio = json["dampingRatio"].number(tool.dampingRatio);
   tool.forceMax = json["forceMax"].number(tool.forceMax);
+  tool.friction = json["friction"].number(tool.friction);
   tool.home = toPose(json["home"]);
   tool.perforates = toTexts(json["perforates"]);
   return tool;

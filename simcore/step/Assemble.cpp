@@ -4,23 +4,29 @@
 
 namespace glenoid {
 
-namespace {
-
-/// Where the hand wants the tip, and how fast it moves there, from this and the last hand pose.
-PoseTarget handTarget(const Pose& hand, const Pose& last, double dt) {
-  PoseTarget target;
-  target.anchor_W = hand.p_WB;
-  target.q_WB = hand.q_WB;
-  target.velocity_W = (hand.p_WB - last.p_WB) / dt;
-  Quat turn = hand.q_WB * last.q_WB.conjugate();
-  if (turn.w() < 0) turn.coeffs() *= -1;
-  target.omega_W = 2 * turn.vec() / dt;  // hands turn by little in a step
-  return target;
+void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state) {
+  for (std::size_t tool = 0; tool < work.wanted.size(); ++tool) {
+    work.wanted[tool] = poseAt(state.hands, 7 * static_cast<int>(tool));
+    if (tool >= inputs.hands.size()) continue;
+    if (isHandPose(inputs.hands[tool])) {
+      work.wanted[tool] = {inputs.hands[tool].p_WB, inputs.hands[tool].q_WB.normalized()};
+    } else {
+      ++work.report.refusedHands;
+    }
+  }
 }
 
-}  // namespace
+void moveHands(Stepper::Work& work, const State& state, int partsLeft) {
+  for (std::size_t tool = 0; tool < work.hands.size(); ++tool) {
+    work.hands[tool] = work.wanted[tool];
+    if (partsLeft == 1) continue;
+    const Pose last = poseAt(state.hands, 7 * static_cast<int>(tool));
+    work.hands[tool].p_WB = last.p_WB + (work.wanted[tool].p_WB - last.p_WB) / partsLeft;
+    work.hands[tool].q_WB = last.q_WB.slerp(1.0 / partsLeft, work.wanted[tool].q_WB);
+  }
+}
 
-void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& state) {
+void assembleIslands(Stepper::Work& work, const State& state) {
   const StageClock clock(work.report, Stage::Assemble);
   const double dt = work.settings.dt;
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
@@ -38,9 +44,7 @@ void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& sta
       const auto& body = static_cast<const RigidObject&>(*work.inside->objects[bound.object]);
       PoseTarget target = bound.rest;
       if (bound.tool >= 0) {
-        const Pose last = poseAt(state.hands, 7 * bound.tool);
-        const bool held = bound.tool < static_cast<int>(inputs.hands.size());
-        target = handTarget(held ? inputs.hands[bound.tool] : last, last, dt);
+        target = handTarget(work.hands[bound.tool], poseAt(state.hands, 7 * bound.tool), dt);
       }
       assemblePoseSpring(bound.spring, body, target, dt, state, bound.entries, island.A, island.b.segment<6>(3 * bound.base));
     }

@@ -44,6 +44,7 @@ BoundPoseSpring toolSpring(const Tool& tool, const RigidObject& body, int object
   const double inertia = body.properties().inertia.diagonal().maxCoeff() + tool.mass * spring.anchor_B.squaredNorm();
   spring.angularDamping = 2 * tool.dampingRatio * std::sqrt(tool.angularStiffness * inertia);
   spring.forceMax = tool.forceMax;
+  spring.torqueMax = tool.forceMax * tool.length;  // a hand at the far end of the shaft
   return bound;
 }
 
@@ -148,8 +149,13 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   std::vector<Vec3> centres;
   if (Result<Done> done = compileObjects(*model, *inside, centres); !done) return done.error();
   if (scenario.effects.contact != Wish::Off) compileContacts(*model);
-  model->effects = planEffects(scenario.effects, groundsOf(*model));
+  EffectGrounds grounds = groundsOf(*model);
+  grounds.friction = scenario.effects.friction != Wish::Off && compileFriction(*model);
+  model->effects = planEffects(scenario.effects, grounds);
   inside->contact = model->effectOn("contact");
+  inside->friction = inside->contact && model->effectOn("friction");
+  if (!inside->friction)
+    for (SceneObject& object : model->objects) object.friction = {};
   inside->settings.dt = scenario.dt;
   inside->settings.damping = model->effectOn("damping");
   inside->settings.gravity_W = model->effectOn("gravity") ? scenario.gravity_W : Vec3::Zero().eval();

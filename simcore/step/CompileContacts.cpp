@@ -48,7 +48,39 @@ TriMesh regionMesh(const Part& part, const Region& region) {
   return mesh;
 }
 
+/// Coulomb's coefficient at each collision vertex of a part: that of the material at the nearest visual triangle.
+std::vector<double> frictionOf(const Joint& joint, const Part& part) {
+  const auto coefficient = [&](int use) {
+    const int material = findMaterial(joint, part.materials[use].material);
+    return material >= 0 ? joint.materials[material].friction : 0.0;
+  };
+  std::vector<double> friction(part.collision->vertices.size(), coefficient(0));
+  if (part.materials.size() < 2) return friction;
+  const TriangleTree visual(*part.visual);
+  const std::vector<int> use = useOfTriangles(part);
+  for (std::size_t v = 0; v < friction.size(); ++v)
+    friction[v] = coefficient(use[visual.closest(part.collision->vertices[v]).triangle]);
+  return friction;
+}
+
+bool rough(const SceneObject& object) {
+  return std::any_of(object.friction.begin(), object.friction.end(), [](double mu) { return mu > 0; });
+}
+
 }  // namespace
+
+bool compileFriction(Model& model) {
+  for (std::size_t i = 0; i < model.objects.size(); ++i) {
+    SceneObject& object = model.objects[i];
+    if (object.tool)
+      object.friction.assign(object.collision.vertices.size(), model.scenario.tools[object.toolIndex].friction);
+    else
+      object.friction = frictionOf(model.joint, model.joint.parts[i]);  // parts come first, in the joint's order
+  }
+  return std::any_of(model.collisionPairs.begin(), model.collisionPairs.end(), [&](const CollisionPair& pair) {
+    return rough(model.objects[pair.surfaceA]) && rough(model.objects[pair.surfaceB]);
+  });
+}
 
 void compileContacts(Model& model) {
   const Joint& joint = model.joint;

@@ -22,15 +22,6 @@ SurfaceBinding bindSurface(const std::shared_ptr<const TriMesh>& mesh, const Tet
   return {mesh, volume ? bindToTets(*volume, mesh->vertices) : bindToRigid(mesh->vertices, centre)};
 }
 
-/// The material use of each visual triangle: the last one whose region holds it.
-std::vector<int> useOfTriangles(const Part& part) {
-  std::vector<int> use(part.visual->triangles.size(), 0);
-  for (std::size_t u = 1; u < part.materials.size(); ++u)
-    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) use[triangle] = static_cast<int>(u);
-  return use;
-}
-
 Result<std::vector<ElementTissue>> tissueOf(const Joint& joint, const Part& part) {
   const std::vector<double> fill = fillFractions(*part.volume, *part.visual);
   const std::vector<int> label = labelTets(*part.volume, *part.visual, useOfTriangles(part));
@@ -58,6 +49,14 @@ void place(ObjectLayout& layout, int nodeCount, int& q, int& v) {
 }
 
 }  // namespace
+
+std::vector<int> useOfTriangles(const Part& part) {
+  std::vector<int> use(part.visual->triangles.size(), 0);
+  for (std::size_t u = 1; u < part.materials.size(); ++u)
+    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
+      for (const int triangle : trianglesOf(*region)) use[triangle] = static_cast<int>(u);
+  return use;
+}
 
 Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres) {
   const Joint& joint = model.joint;

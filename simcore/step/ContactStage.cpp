@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From what the detector found to rows, and from impulses back to what a report shows. The solve between the two
+// stands in ContactSolve.cpp (direct, reference) and PaperSolve.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -13,13 +15,43 @@ MaterialPoint materialPoint(const SceneObject& object, const FeaturePoint& featu
                  {feature.weight.data(), static_cast<std::size_t>(feature.count)});
 }
 
+/// Coulomb's coefficient of one side at a point of its collision surface.
+double frictionAt(const SceneObject& object, const FeaturePoint& feature) {
+  double friction = 0;
+  for (int i = 0; i < feature.count; ++i) friction += feature.weight[i] * object.friction[feature.vertex[i]];
+  return friction;
+}
+
 /// Last step's impulse of the same features, zero for a new contact. Both lists ascend by key.
-double lastImpulse(const State& state, std::uint64_t key, std::size_t& at) {
+const State::Impulse* lastImpulse(const State& state, std::uint64_t key, std::size_t& at) {
   while (at < state.impulses.size() && state.impulses[at].key < key) ++at;
-  return at < state.impulses.size() && state.impulses[at].key == key ? state.impulses[at].value : 0;
+  return at < state.impulses.size() && state.impulses[at].key == key ? &state.impulses[at] : nullptr;
 }
 
 }  // namespace
+
+bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
+                      IslandRows IslandWork::* rowsOf) {
+  const StepContact& contact = work.contacts[c];
+  const auto append = [&](IslandRows& rows, int object, const MaterialPoint& point, const Vec3& along) {
+    rows.append(*work.inside->objects[object], point, along, state.q, work.inside->baseOfObject[object]);
+  };
+  bool moves = false;
+  if (contact.islandA >= 0) {
+    IslandRows& rows = work.islands[contact.islandA].*rowsOf;
+    rows.begin(c);
+    append(rows, contact.objectA, contact.a, direction);
+    if (contact.islandB == contact.islandA) append(rows, contact.objectB, contact.b, -direction);
+    moves = rows.finish();
+  }
+  if (contact.islandB >= 0 && contact.islandB != contact.islandA) {
+    IslandRows& rows = work.islands[contact.islandB].*rowsOf;
+    rows.begin(c);
+    append(rows, contact.objectB, contact.b, -direction);
+    moves = rows.finish() || moves;
+  }
+  return moves;
+}
 
 void buildContacts(Stepper::Work& work, const State& state) {
   const StageClock clock(work.report, Stage::Islands);
@@ -27,141 +59,53 @@ void buildContacts(Stepper::Work& work, const State& state) {
   const std::vector<Proximity>& found = *work.proximities;
   work.contacts.clear();
   work.sides.clear();
-  work.impulses.resize(static_cast<Eigen::Index>(found.size()));
-  for (IslandWork& island : work.islands) {
-    island.rows.clear();
-    island.rowIds.clear();
-  }
+  for (IslandWork& island : work.islands) island.rows.clear();
   std::size_t at = 0;
   for (std::size_t c = 0; c < found.size(); ++c) {
     const Proximity& near = found[c];
     const CollisionPair& pair = work.finder->pairs()[near.pair];
-    StepContact contact;
+    const SceneObject &a = work.model->objects[pair.surfaceA], &b = work.model->objects[pair.surfaceB];
+    StepContact& contact = work.contacts.emplace_back();
     contact.objectA = pair.surfaceA;
     contact.objectB = pair.surfaceB;
     contact.islandA = work.inside->islandOfObject[contact.objectA];
     contact.islandB = work.inside->islandOfObject[contact.objectB];
-    contact.a = materialPoint(work.model->objects[contact.objectA], near.a);
-    contact.b = materialPoint(work.model->objects[contact.objectB], near.b);
+    contact.a = materialPoint(a, near.a);
+    contact.b = materialPoint(b, near.b);
     contact.target = std::min(-near.gap / dt, fastest);
-    work.impulses[c] = lastImpulse(state, near.key, at);
-    work.contacts.push_back(contact);
+    if (const State::Impulse* last = lastImpulse(state, near.key, at)) {
+      contact.impulse = last->value;
+      contact.friction_W = last->friction_W;
+    }
+    if (work.inside->friction) {
+      contact.coefficient = std::sqrt(frictionAt(a, near.a) * frictionAt(b, near.b));
+      contact.tangent_W[0] = near.normal_W.unitOrthogonal();
+      contact.tangent_W[1] = near.normal_W.cross(contact.tangent_W[0]);
+    }
     work.sides.push_back({contact.islandA, contact.islandB});
-
-    const ContactObject &a = *work.inside->objects[contact.objectA], &b = *work.inside->objects[contact.objectB];
-    const int baseA = work.inside->baseOfObject[contact.objectA], baseB = work.inside->baseOfObject[contact.objectB];
-    const Vec3& n = near.normal_W;
-    bool moves = false;
-    if (contact.islandA >= 0) {
-      IslandRows& rows = work.islands[contact.islandA].rows;
-      rows.begin(static_cast<int>(c));
-      rows.append(a, contact.a, n, state.q, baseA);
-      if (contact.islandB == contact.islandA) rows.append(b, contact.b, -n, state.q, baseB);
-      moves = rows.finish();
-    }
-    if (contact.islandB >= 0 && contact.islandB != contact.islandA) {
-      IslandRows& rows = work.islands[contact.islandB].rows;
-      rows.begin(static_cast<int>(c));
-      rows.append(b, contact.b, -n, state.q, baseB);
-      moves = rows.finish() || moves;
-    }
-    if (!moves) {
+    if (!appendContactRow(work, state, static_cast<int>(c), near.normal_W, &IslandWork::rows)) {
       work.sides.back() = {-1, -1};
-      work.impulses[c] = 0;
+      contact.impulse = 0;
+      contact.friction_W.setZero();
       ++work.report.droppedRows;
     }
   }
   work.report.contacts = static_cast<int>(found.size()) - work.report.droppedRows;
 }
 
-namespace {
-
-/// Everything that one contact island needs for its complementarity problem, into W and d.
-void buildDelassus(Stepper::Work& work, const ContactIsland& island) {
-  const StageClock clock(work.report, Stage::Delassus);
-  const Eigen::Index n = static_cast<Eigen::Index>(island.contacts.size());
-  if (work.W.rows() < n) {
-    const Eigen::Index room = n + n / 2 + 8;
-    work.W.resize(room, room);
-    work.d.resize(room);
-    work.lambda.resize(room);
-  }
-  auto W = work.W.topLeftCorner(n, n);
-  W.setZero();
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int contact = island.contacts[i];
-    work.d[i] = -work.contacts[contact].target;
-    work.lambda[i] = work.impulses[contact];
-  }
-  for (const int index : island.couplingIslands) {
-    IslandWork& part = work.islands[index];
-    part.rowIds.clear();
-    for (int row = 0; row < part.rows.count(); ++row) {
-      part.rowIds.push_back(work.placeOfContact[part.rows.contactOf(row)]);
-      work.d[part.rowIds.back()] += part.rows.dot(row, part.v);
-    }
-    part.response->prepare(part.rows.rows());
-    part.response->addDelassus(part.rowIds, W);
-  }
-}
-
-void applyImpulses(Stepper::Work& work, const ContactIsland& island) {
-  for (const int index : island.couplingIslands) {
-    IslandWork& part = work.islands[index];
-    part.lambda.clear();
-    for (const int id : part.rowIds) part.lambda.push_back(work.lambda[id]);
-    part.response->addImpulses(part.lambda, part.v);
-  }
-}
-
-/// ‖A v − b − Jᵀλ‖ / ‖b‖ over all islands: a tool that nothing pulls has b = 0 and no scale of its own.
-double momentumResidual(std::vector<IslandWork>& islands, const VecX& impulses) {
-  double error = 0, scale = 0;
-  for (IslandWork& island : islands) {
-    island.A.multiply(island.v, island.residual);
-    island.residual -= island.b;
-    for (int row = 0; row < island.rows.count(); ++row)
-      island.rows.addTransposed(row, -impulses[island.rows.contactOf(row)], island.residual);
-    error += island.residual.squaredNorm();
-    scale += island.b.squaredNorm();
-  }
-  return std::sqrt(error / (scale > 0 ? scale : 1));
-}
-
-}  // namespace
-
-void solveConstrained(Stepper::Work& work, const State&) {
+void showContacts(Stepper::Work& work) {
   StepReport& report = work.report;
-  const std::span<const ContactIsland> islands = work.islandBuilder->build(work.sides);
-  report.contactIslands = static_cast<int>(islands.size());
-  work.placeOfContact.resize(work.contacts.size());
-  for (const ContactIsland& island : islands)
-    for (std::size_t i = 0; i < island.contacts.size(); ++i) work.placeOfContact[island.contacts[i]] = static_cast<int>(i);
-
-  for (const ContactIsland& island : islands) {
-    if (work.options.profile == Profile::Paper) {
-      const StageClock clock(report, Stage::Contact);
-      solveContactIslandBySplitting(work, island);
-      continue;
-    }
-    buildDelassus(work, island);
-    const StageClock clock(report, Stage::Contact);
-    const Eigen::Index n = static_cast<Eigen::Index>(island.contacts.size());
-    const LcpReport lcp = solveLcp(work.W.topLeftCorner(n, n), work.d.head(n), work.lambda.head(n), {}, work.lcp);
-    if (!lcp.exact) ++report.pivotsExhausted;
-    report.complementarity = std::max(report.complementarity, lcp.error);
-    for (Eigen::Index i = 0; i < n; ++i) work.impulses[island.contacts[i]] = work.lambda[i];
-    applyImpulses(work, island);
-  }
-
-  const StageClock clock(report, Stage::Contact);
-  report.residual = momentumResidual(work.islands, work.impulses);
-  if (work.options.profile == Profile::Paper) report.paper.outerResidual = report.residual;
   const double dt = work.settings.dt;
   for (std::size_t c = 0; c < work.contacts.size(); ++c) {
     const StepContact& contact = work.contacts[c];
     const Proximity& near = (*work.proximities)[c];
-    ContactView view{contact.objectA, contact.objectB, Vec3::Zero(), near.normal_W, near.gap, work.impulses[c] / dt};
+    ContactView& view = report.contactViews.emplace_back();
+    view.objectA = contact.objectA;
+    view.objectB = contact.objectB;
+    view.normal_W = near.normal_W;
+    view.gap = near.gap;
+    view.force = contact.impulse / dt;
+    view.friction_W = contact.friction_W / dt;
     const auto along = [&](const FeaturePoint& feature, int object) {
       Vec3 p = Vec3::Zero();
       for (int i = 0; i < feature.count; ++i) p += feature.weight[i] * work.positions[object][feature.vertex[i]];
@@ -169,10 +113,10 @@ void solveConstrained(Stepper::Work& work, const State&) {
     };
     view.point_W = 0.5 * (along(near.a, contact.objectA) + along(near.b, contact.objectB));
     if (view.force > 0) ++report.active;
+    const Vec3 force = view.force * near.normal_W + view.friction_W;
     const SceneObject &a = work.model->objects[contact.objectA], &b = work.model->objects[contact.objectB];
-    if (a.tool) report.toolForces[a.toolIndex] += view.force * near.normal_W;
-    if (b.tool) report.toolForces[b.toolIndex] -= view.force * near.normal_W;
-    report.contactViews.push_back(view);
+    if (a.tool) report.toolForces[a.toolIndex] += force;
+    if (b.tool) report.toolForces[b.toolIndex] -= force;
   }
 }
 

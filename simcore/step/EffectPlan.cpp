@@ -22,7 +22,7 @@ std::vector<EffectPlan> planEffects(const Effects& wish, const EffectGrounds& gr
           plan("couplings", wish.couplings, grounds.couplings),
           plan("contact", wish.contact, grounds.contact),
           notBuilt("selfContact", wish.selfContact),
-          notBuilt("friction", wish.friction),
+          plan("friction", wish.friction, grounds.friction),
           plan("damping", wish.damping, grounds.damping),
           notBuilt("haptics", wish.haptics)};
 }

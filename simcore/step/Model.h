@@ -27,6 +27,7 @@ struct SceneObject {
   SurfaceBinding visual, collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft only; node i of the state is node i of this mesh
   double mass = 0;              ///< kg
+  std::vector<double> friction; ///< Coulomb's coefficient at each collision vertex; empty: friction is off
 };
 
 /// One spring of a coupling, for drawing and tables.

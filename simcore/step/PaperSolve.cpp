@@ -79,34 +79,27 @@ void chooseSplitting(Stepper::Work& work, IslandWork& island) {
   paper.lambdaMax = std::max(paper.lambdaMax, estimate);
 }
 
-void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island) {
+void solveContactIslandBySplitting(Stepper::Work& work, const State& state, const ContactIsland& island) {
   const PaperLimits& limits = work.paper;
-  const Eigen::Index n = static_cast<Eigen::Index>(island.contacts.size());
-  if (work.W.rows() < n) {
-    const Eigen::Index room = n + n / 2 + 8;
-    work.W.resize(room, room);
-    work.d.resize(room);
-    work.lambda.resize(room);
-  }
+  for (const int c : island.contacts) work.contacts[c].chosen = true;
+  const int n = chooseRows(work, state, island);
+  const StageClock clock(work.report, Stage::Contact);
   auto B = work.W.topLeftCorner(n, n);
   B.setZero();
-  for (Eigen::Index i = 0; i < n; ++i) work.lambda[i] = work.impulses[island.contacts[i]];
   for (const int index : island.couplingIslands) {
     IslandWork& part = work.islands[index];
     chooseSplitting(work, part);
-    part.rowIds.clear();
-    for (int row = 0; row < part.rows.count(); ++row) part.rowIds.push_back(work.placeOfContact[part.rows.contactOf(row)]);
-    part.splitting->response->prepare(part.rows.rows());
-    part.splitting->response->addDelassus(part.rowIds, B);
-    part.base = part.v;  // the unconstrained answer: what stays where the iteration leaves the numbers
+    part.splitting->response->prepare(part.chosen);
+    part.splitting->response->addDelassus(part.chosenIds, B);
   }
+  const VecX& target = work.target = work.d.head(n);  // −c, zero along tangents
 
   PaperReport& paper = work.report.paper;
   double firstChange = 0, change = 0;
   int iteration = 0;
   bool diverged = false;
   while (iteration < limits.outerIterations) {
-    for (Eigen::Index i = 0; i < n; ++i) work.d[i] = -work.contacts[island.contacts[i]].target;
+    work.d.head(n) = target;
     for (const int index : island.couplingIslands) {
       // v + D⁻¹ (b − A v) = D⁻¹ (b + (L + U) v)
       IslandWork& part = work.islands[index];
@@ -115,19 +108,19 @@ void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& isl
       part.splitting->response->solve(part.change);
       part.residual = part.v;  // the last iterate
       part.v += part.change;
-      for (int row = 0; row < part.rows.count(); ++row) work.d[part.rowIds[row]] += part.rows.dot(row, part.v);
+      for (std::size_t k = 0; k < part.chosen.size(); ++k) work.d[part.chosenIds[k]] += dot(part.chosen[k], part.v);
     }
     LcpLimits inner;
     inner.sweeps = limits.innerSweeps;
     inner.pivots = 0;
-    const LcpReport lcp = solveLcp(B, work.d.head(n), work.lambda.head(n), inner, work.lcp);
+    const LcpReport lcp = solveChosen(work, n, inner);
     work.report.complementarity = std::max(work.report.complementarity, lcp.error);
     change = 0;
     double size = 0;
     for (const int index : island.couplingIslands) {
       IslandWork& part = work.islands[index];
       part.lambda.clear();
-      for (const int id : part.rowIds) part.lambda.push_back(work.lambda[id]);
+      for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
       part.splitting->response->addImpulses(part.lambda, part.v);
       change += (part.v - part.residual).squaredNorm();
       size += part.v.squaredNorm();
@@ -144,9 +137,13 @@ void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& isl
   if (diverged) {
     paper.diverged = true;
     work.lambda.head(n).setZero();
-    for (const int index : island.couplingIslands) work.islands[index].v = work.islands[index].base;
+    for (const int index : island.couplingIslands) {
+      IslandWork& part = work.islands[index];
+      part.v = part.free;
+      std::fill(part.lambda.begin(), part.lambda.end(), 0.0);
+    }
   }
-  for (Eigen::Index i = 0; i < n; ++i) work.impulses[island.contacts[i]] = work.lambda[i];
+  takeImpulses(work);
   paper.outerIterations = std::max(paper.outerIterations, iteration);
   paper.outerCapped = paper.outerCapped || (!diverged && iteration == limits.outerIterations);
 }

@@ -36,7 +36,7 @@ struct StepModel {
   std::vector<int> baseOfObject;     ///< first block in its island; −1: fixed
   std::vector<CouplingIslandModel> islands;
   StepSettings settings;
-  bool contact = false;
+  bool contact = false, friction = false;
 };
 
 }  // namespace glenoid

@@ -9,6 +9,7 @@
 #include "simcore/collide/ProximityFinder.h"
 #include "simcore/contact/ContactIslands.h"
 #include "simcore/contact/ContactRows.h"
+#include "simcore/contact/Coulomb.h"
 #include "simcore/contact/ImpulseResponse.h"
 #include "simcore/contact/Lcp.h"
 #include "simcore/linear/ConjugateGradients.h"
@@ -45,19 +46,29 @@ struct IslandWork {
   Splitting byNode, byObject;                 ///< paper profile only
   Splitting* splitting = nullptr;             ///< the one in use this step
   VecX b, v;                                  ///< right-hand side; velocities, first unconstrained
-  VecX residual, base, change;                ///< scratch, as long as b
-  IslandRows rows;
-  std::vector<int> rowIds;                    ///< place of each row in its contact island
-  std::vector<double> lambda;                 ///< of each row
+  VecX free;                                  ///< the unconstrained ones
+  VecX residual, change;                      ///< scratch, as long as b
+  IslandRows rows;                            ///< normal row of each contact
+  IslandRows tangents;                        ///< two rows of each chosen contact that has friction
+  std::vector<SparseRow> chosen;              ///< rows that are unknowns of the contact problem
+  std::vector<int> chosenIds;                 ///< their places among its unknowns
+  std::vector<double> lambda;                 ///< their impulses, N·s
   CgWork cg;
   PowerWork power;
 };
 
 /// One contact of the step: the detector's pair, as points of two objects.
 struct StepContact {
-  int objectA, objectB, islandA, islandB;
+  int objectA = -1, objectB = -1, islandA = -1, islandB = -1;
   MaterialPoint a, b;
-  double target;  ///< c of J v ≥ c, m/s
+  double target = 0;                     ///< c of J v ≥ c, m/s
+  double speed = 0;                      ///< J v − c, m/s
+  double coefficient = 0;                ///< Coulomb's; 0 where friction is off
+  std::array<Vec3, 2> tangent_W;         ///< set where friction is on
+  double impulse = 0;                    ///< along the normal, N·s: last step's, then this one's
+  Vec3 friction_W = Vec3::Zero();        ///< tangential impulse on a, N·s, likewise
+  bool chosen = false;                   ///< an unknown of the problem
+  int unknown = -1;                      ///< its place in Work::unknowns
 };
 
 /// Adds thread CPU time to a stage of the report while it lives.
@@ -85,40 +96,79 @@ struct Stepper::Work {
   PaperLimits paper;
   StepReport report;
   std::vector<IslandWork> islands;
+  std::vector<Pose> wanted;           ///< hand of each tool at the end of the step
+  std::vector<Pose> hands;            ///< at the end of the part of it that is being solved
+  std::vector<double> turnStiffness;  ///< of each rigid object with couplings: Σ k r², N·m
   VecX rotations;
 
-  // Collision, filled by its own thread where there are two.
+  // Collision, filled by its own thread where there are two. Motion 0 is what the step begins with, each further
+  // one what a solve answered that the search had not foreseen.
   std::unique_ptr<ProximityFinder> finder;
-  std::vector<std::vector<Vec3>> positions, velocities;
-  std::vector<std::span<const Vec3>> positionSpans, velocitySpans;
+  using Surfaces = std::vector<std::vector<Vec3>>;
+  using Spans = std::vector<std::span<const Vec3>>;
+  Surfaces positions;
+  Spans positionSpans;
+  std::array<Surfaces, ProximityFinder::kMotionsMost> velocities;
+  std::array<Spans, ProximityFinder::kMotionsMost> velocitySpans;
+  int motionCount = 0;
+  VecX solved;                        ///< velocities of all objects as the last solve left them
   const std::vector<Proximity>* proximities = nullptr;
   const State* stateSeen = nullptr;   ///< what the collision thread reads
   StepReport collideReport;           ///< its stage times
+  double workerMs = 0;                ///< their sum over the parts of a step
   std::unique_ptr<Worker> worker;
 
   // Contact.
   std::vector<StepContact> contacts;
   std::vector<std::array<int, 2>> sides;
   std::unique_ptr<ContactIslandBuilder> islandBuilder;
-  std::vector<int> placeOfContact;    ///< in its contact island
-  VecX impulses;                      ///< of each contact, N·s
+  std::vector<ContactUnknowns> unknowns;  ///< of the contact island at hand
+  std::vector<int> unknownContacts;       ///< their contacts
+  int tangentialRows = 0;
   MatX W;
   VecX d, lambda;
+  VecX target;                            ///< paper profile: d without J v
   LcpWork lcp;
+  CoulombWork coulomb;
 
+  /// The first search of a step.
   void findProximities(const State& state);
+  /// Whether the solve moves some surface further from what the search foresaw than its slack, half the contact
+  /// distance; if so the search is made again with that motion too. What it finds is then complete.
+  bool searchAgain(const State& state);
 };
 
+/// Into how many equal parts the step must be cut, 1 … kPartsMost, for what it turns to be near enough to its
+/// linearisation; from the velocities of a trial over the whole step. Needs work.solved.
+int partsOf(const Stepper::Work& work, const State& state);
+/// Σ k r² of the couplings at each rigid object.
+std::vector<double> turnStiffnessOf(const StepModel& inside);
+/// The hands of this step: what came in, or the last pose where that is no pose of a hand.
+void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
+/// work.hands for one of the remaining equal parts of the step: on the way from the state's hands to the wanted ones.
+void moveHands(Stepper::Work& work, const State& state, int partsLeft);
 /// Forces, A and b of each coupling island.
-void assembleIslands(Stepper::Work& work, const Inputs& inputs, const State& state);
+void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.
 bool solveUnconstrained(Stepper::Work& work, const State& state);
 /// Turns what the detector found into rows.
 void buildContacts(Stepper::Work& work, const State& state);
+/// The row of contact c along `direction` (on a, against it on b) for one or two coupling islands; false where
+/// nothing that it touches can move.
+bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
+                      IslandRows IslandWork::* rowsOf);
 /// One complementarity problem for each contact island; velocities become the constrained ones.
 void solveConstrained(Stepper::Work& work, const State& state);
+/// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
+int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
+/// Solves for λ with the n unknowns in W and d.
+LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);
+/// λ back to the contacts.
+void takeImpulses(Stepper::Work& work);
+/// Contacts and tool forces of the report.
+void showContacts(Stepper::Work& work);
 /// The published splitting for one contact island, in place of the direct solve.
-void solveContactIslandBySplitting(Stepper::Work& work, const ContactIsland& island);
+void solveContactIslandBySplitting(Stepper::Work& work, const State& state, const ContactIsland& island);
 /// Prepares the splittings of an island at construction, and this step's D with its factor.
 void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, bool portable, IslandWork& island);
 void chooseSplitting(Stepper::Work& work, IslandWork& island);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/step/Stepper.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "simcore/linear/Kernels.h"
@@ -18,11 +19,17 @@ const char* stageName(Stage stage) {
     case Stage::Islands: return "islands";
     case Stage::Delassus: return "delassus";
     case Stage::Contact: return "contact";
+    case Stage::Friction: return "friction";
     case Stage::Integrate: return "integrate";
     case Stage::Count: break;
   }
   return "";
 }
+
+namespace {
+/// Most that the search looks ahead, m: a bound for what moves absurdly. What moves slowly is looked for near by.
+constexpr double kLookAhead = 0.25;
+}  // namespace
 
 const char* kernelIsa(bool portable) { return kernelIsaName(portable); }
 
@@ -44,15 +51,20 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   }
   work.islandBuilder = std::make_unique<ContactIslandBuilder>(static_cast<int>(work.islands.size()));
   work.report.toolForces.resize(work.model->scenario.tools.size());
+  work.wanted.resize(work.model->scenario.tools.size());
+  work.hands.resize(work.model->scenario.tools.size());
+  work.turnStiffness = turnStiffnessOf(*work.inside);
+  work.solved.setZero(work.model->start.v.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
-  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs);
-  for (const SceneObject& object : work.model->objects) {
-    work.positions.emplace_back(object.collision.vertices.size());
-    work.velocities.emplace_back(object.collision.vertices.size(), Vec3::Zero());
-  }
-  for (std::size_t i = 0; i < work.positions.size(); ++i) {
-    work.positionSpans.emplace_back(work.positions[i]);
-    work.velocitySpans.emplace_back(work.velocities[i]);
+  ProximityLimits limits;
+  limits.lookAhead = kLookAhead;
+  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs, limits);
+  for (const SceneObject& object : work.model->objects) work.positions.emplace_back(object.collision.vertices.size());
+  work.positionSpans.assign(work.positions.begin(), work.positions.end());
+  for (std::size_t motion = 0; motion < work.velocities.size(); ++motion) {
+    for (const SceneObject& object : work.model->objects)
+      work.velocities[motion].emplace_back(object.collision.vertices.size(), Vec3::Zero());
+    work.velocitySpans[motion].assign(work.velocities[motion].begin(), work.velocities[motion].end());
   }
   if (options.threads > 1) work.worker = std::make_unique<Worker>([&work] { work.findProximities(*work.stateSeen); });
 }
@@ -61,6 +73,21 @@ Stepper::~Stepper() = default;
 
 const Model& Stepper::model() const { return *m_work->model; }
 
+namespace {
+
+/// The velocities of all objects out of their islands.
+void gatherVelocities(const Stepper::Work& work, VecX& v) {
+  for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    const CouplingIslandModel& island = work.inside->islands[i];
+    for (std::size_t k = 0; k < island.objects.size(); ++k) {
+      const ObjectLayout& layout = work.inside->objects[island.objects[k]]->layout();
+      v.segment(layout.vOffset, layout.vSize) = work.islands[i].v.segment(3 * island.base[k], layout.vSize);
+    }
+  }
+}
+
+}  // namespace
+
 void Stepper::Work::findProximities(const State& state) {
   collideReport.cpuMs.fill(0);
   {
@@ -68,11 +95,44 @@ void Stepper::Work::findProximities(const State& state) {
     for (std::size_t i = 0; i < model->objects.size(); ++i) {
       const SceneObject& object = model->objects[i];
       surfacePositions(object.collision, object.layout, state.q, positions[i]);
-      if (object.layout.free) surfaceVelocities(object.collision, object.layout, state.q, state.v, velocities[i]);
+      if (object.layout.free) surfaceVelocities(object.collision, object.layout, state.q, state.v, velocities[0][i]);
     }
   }
+  motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
-  proximities = &finder->find(positionSpans, velocitySpans, model->scenario.contactDistance, settings.dt);
+  proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt);
+}
+
+bool Stepper::Work::searchAgain(const State& state) {
+  if (motionCount == ProximityFinder::kMotionsMost) return false;
+  Surfaces& now = velocities[motionCount];
+  bool outran = false;
+  {
+    const StageClock clock(report, Stage::Surfaces);
+    gatherVelocities(*this, solved);
+    const double slack = 0.5 * model->scenario.contactDistance / settings.dt;  // m/s, of each of two surfaces
+    for (std::size_t i = 0; i < model->objects.size(); ++i) {
+      const SceneObject& object = model->objects[i];
+      if (!object.layout.free) continue;
+      surfaceVelocities(object.collision, object.layout, state.q, solved, now[i]);
+      // One foreseen motion has to fit the whole surface: mixtures of two were not searched.
+      bool foreseen = false;
+      for (int motion = 0; motion < motionCount && !foreseen; ++motion) {
+        double most = 0;
+        for (std::size_t k = 0; k < now[i].size(); ++k) most = std::max(most, (now[i][k] - velocities[motion][i][k]).squaredNorm());
+        foreseen = most <= slack * slack;
+      }
+      outran = outran || !foreseen;
+    }
+  }
+  if (!outran) return false;
+  ++motionCount;
+  std::array<ProximityFinder::Motion, ProximityFinder::kMotionsMost> motions;
+  for (int motion = 0; motion < motionCount; ++motion) motions[motion] = velocitySpans[motion];
+  const StageClock clock(report, Stage::Collide);
+  const std::span<const ProximityFinder::Motion> used(motions.data(), static_cast<std::size_t>(motionCount));
+  proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt);
+  return true;
 }
 
 namespace {
@@ -84,29 +144,66 @@ bool velocitiesFinite(const std::vector<IslandWork>& islands) {
 }
 
 /// Writes velocities back and moves everything by them.
-void integrate(Stepper::Work& work, const Inputs& inputs, State& state) {
+void integrate(Stepper::Work& work, State& state) {
   const StageClock clock(work.report, Stage::Integrate);
-  for (std::size_t i = 0; i < work.islands.size(); ++i) {
-    const CouplingIslandModel& island = work.inside->islands[i];
-    for (std::size_t k = 0; k < island.objects.size(); ++k) {
-      const ObjectLayout& layout = work.inside->objects[island.objects[k]]->layout();
-      state.v.segment(layout.vOffset, layout.vSize) = work.islands[i].v.segment(3 * island.base[k], layout.vSize);
-    }
-  }
+  state.v = work.solved;
   for (const auto& object : work.inside->objects) object->advance(work.settings.dt, state);
   state.rotations = work.rotations;
   state.impulses.clear();
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
-      if (work.impulses[c] > 0) state.impulses.push_back({(*work.proximities)[c].key, work.impulses[c]});
-  for (std::size_t tool = 0; tool < inputs.hands.size() && 7 * (tool + 1) <= static_cast<std::size_t>(state.hands.size()); ++tool)
-    setPoseAt(state.hands, 7 * static_cast<int>(tool), inputs.hands[tool]);
+      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0)
+        state.impulses.push_back({(*work.proximities)[c].key, contact.impulse, contact.friction_W});
+  for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
+}
+
+/// Contacts as the detector has them now, and their solve.
+void solveContacts(Stepper::Work& work, const State& state) {
+  StepReport& report = work.report;
+  report.active = report.droppedRows = report.pivotsExhausted = 0;
+  report.complementarity = 0;
+  report.contactViews.clear();
+  for (Vec3& force : report.toolForces) force.setZero();
+  buildContacts(work, state);
+  solveConstrained(work, state);
 }
 
 /// The last good state stays where it is; rest is the one velocity that is certainly harmless.
 void rejectStep(State& state) {
   state.v.setZero();
   state.impulses.clear();
+}
+
+/// Velocities at the end of a step of work.settings.dt into work.solved; false where there is no finite answer.
+bool solveStep(Stepper::Work& work, const State& state) {
+  work.rotations = state.rotations;
+  if (work.inside->contact && work.worker) {
+    work.stateSeen = &state;
+    work.worker->start();  // finding what is near needs positions only, so it runs beside the free solve
+  }
+  assembleIslands(work, state);
+  bool good = solveUnconstrained(work, state);
+  if (work.inside->contact) {
+    if (work.worker)
+      work.worker->wait();
+    else
+      work.findProximities(state);
+    for (const Stage stage : {Stage::Surfaces, Stage::Collide}) {
+      work.report.cpuMs[static_cast<int>(stage)] += work.collideReport.cpuMs[static_cast<int>(stage)];
+      work.workerMs += work.collideReport.cpuMs[static_cast<int>(stage)];
+    }
+    if (good) {
+      for (IslandWork& island : work.islands) island.free = island.v;
+      solveContacts(work, state);
+      while (velocitiesFinite(work.islands) && work.searchAgain(state)) {
+        for (IslandWork& island : work.islands) island.v = island.free;
+        solveContacts(work, state);
+      }
+    }
+  }
+  good = good && velocitiesFinite(work.islands);
+  if (good) gatherVelocities(work, work.solved);
+  return good;
 }
 
 }  // namespace
@@ -117,43 +214,37 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   const auto wallBegin = std::chrono::steady_clock::now();
   const double cpuBegin = StageClock::nowMs();
   report.taken = true;
-  report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
+  report.parts = 1;
+  report.refusedHands = report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
   report.cpuMs.fill(0);
+  work.workerMs = 0;
   report.paper = {};
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
-  work.rotations = state.rotations;
 
-  if (work.inside->contact && work.worker) {
-    work.stateSeen = &state;
-    work.worker->start();  // finding what is near needs positions only, so it runs beside the free solve
-  }
-  assembleIslands(work, inputs, state);
-  bool good = solveUnconstrained(work, state);
-  if (work.inside->contact) {
-    if (work.worker)
-      work.worker->wait();
-    else
-      work.findProximities(state);
-    for (const Stage stage : {Stage::Surfaces, Stage::Collide})
-      report.cpuMs[static_cast<int>(stage)] = work.collideReport.cpuMs[static_cast<int>(stage)];
-    if (good) {
-      buildContacts(work, state);
-      solveConstrained(work, state);
+  takeHands(work, inputs, state);
+  moveHands(work, state, 1);
+  const double dt = work.settings.dt;
+  bool good = solveStep(work, state);
+  if (good) report.parts = partsOf(work, state);
+  work.settings.dt = dt / report.parts;
+  for (int left = report.parts; good && left > 0; --left) {
+    if (report.parts > 1) {  // the trial over the whole step is thrown away
+      moveHands(work, state, left);
+      good = solveStep(work, state);
+      if (!good) break;
     }
+    integrate(work, state);
+    if (work.options.afterPart) work.options.afterPart(state, work.settings.dt);
   }
-  good = good && velocitiesFinite(work.islands);
-  if (good)
-    integrate(work, inputs, state);
-  else
-    rejectStep(state);
+  work.settings.dt = dt;
+  if (!good) rejectStep(state);
   report.taken = good;
   ++state.step;
   state.time = static_cast<double>(state.step) * work.settings.dt;
   report.stepCpuMs = StageClock::nowMs() - cpuBegin;
-  if (work.worker)
-    report.stepCpuMs += work.collideReport.cpuMs[static_cast<int>(Stage::Surfaces)] + work.collideReport.cpuMs[static_cast<int>(Stage::Collide)];
+  if (work.worker) report.stepCpuMs += work.workerMs;
   report.stepWallMs = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - wallBegin).count();
   return report;
 }

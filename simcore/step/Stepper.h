@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,10 +22,11 @@ struct ContactView {
   Vec3 normal_W = Vec3::UnitY(); ///< from b to a
   double gap = 0;                ///< m, before the step
   double force = 0;              ///< N, λ/Δt; > 0: active
+  Vec3 friction_W = Vec3::Zero();  ///< N, on a; zero where friction is off
 };
 
 /// The stages whose time is taken.
-enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Integrate, Count };
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Integrate, Count };
 inline constexpr int kStageCount = static_cast<int>(Stage::Count);
 const char* stageName(Stage stage);
 
@@ -42,12 +44,14 @@ struct PaperReport {
 /// What one step did. Valid until the next step of the same Stepper.
 struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
+  int parts = 1;                  ///< into which it was cut, for what turns too far in one; contacts are the last part's
+  int refusedHands = 0;           ///< inputs that were no pose of a hand (NaN, 1e30): the last pose stood for them
   int contacts = 0, active = 0;
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move
   int pivotsExhausted = 0;        ///< contact islands that fell back to PGS
   double residual = 0;            ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands
-  double complementarity = 0;     ///< worst |min(λ scaled, Jv − c)|, m/s
+  double complementarity = 0;     ///< worst distance of an impulse from its own projection, m/s
   std::array<double, kStageCount> cpuMs{};  ///< thread CPU time
   double stepCpuMs = 0, stepWallMs = 0;
   PaperReport paper;
@@ -59,6 +63,8 @@ struct StepperOptions {
   Profile profile = Profile::Direct;
   int threads = 1;
   bool portable = false;  ///< no SIMD kernels
+  /// Called with the state after each part of a step and the part's length, s: for books that want every one.
+  std::function<void(const State&, double)> afterPart;
 };
 
 /// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.

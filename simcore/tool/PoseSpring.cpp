@@ -7,15 +7,41 @@ namespace glenoid {
 
 Vec6 springWrench(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, const VecX& q) {
   const Pose pose = body.pose(q);
-  Vec3 force = spring.stiffness * (target.anchor_W - pose * spring.anchor_B);
-  const double pull = force.norm();
-  if (pull > spring.forceMax) force *= spring.forceMax / pull;
+  const Vec3 force = spring.stiffness * (target.anchor_W - pose * spring.anchor_B);
   Quat error = target.q_WB * pose.q_WB.conjugate();
   if (error.w() < 0) error.coeffs() *= -1;  // the short way round
   const double sine = error.vec().norm();
   const Vec3 theta = sine > 1e-12 ? Vec3(2 * std::atan2(sine, error.w()) / sine * error.vec()) : Vec3(2 * error.vec());
   Vec6 wrench;
   wrench << force, spring.angularStiffness * theta;
+  return wrench;
+}
+
+bool isHandPose(const Pose& hand) {
+  constexpr double kFarthest = 1e3;  // m from the origin, and no joint is that large
+  if (!hand.p_WB.allFinite() || !hand.q_WB.coeffs().allFinite()) return false;
+  const double length = hand.q_WB.coeffs().stableNorm();
+  return hand.p_WB.cwiseAbs().maxCoeff() < kFarthest && length > 0.5 && length < 2;
+}
+
+PoseTarget handTarget(const Pose& hand, const Pose& last, double dt) {
+  PoseTarget target;
+  target.anchor_W = hand.p_WB;
+  target.q_WB = hand.q_WB;
+  target.velocity_W = (hand.p_WB - last.p_WB) / dt;
+  Quat turn = hand.q_WB * last.q_WB.conjugate();
+  if (turn.w() < 0) turn.coeffs() *= -1;
+  target.omega_W = 2 * turn.vec() / dt;  // hands turn by little in a step
+  return target;
+}
+
+Vec6 driveWrench(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, const VecX& q) {
+  Vec6 wrench = springWrench(spring, body, target, q);
+  wrench.head<3>() += spring.damping * target.velocity_W;
+  wrench.tail<3>() += spring.angularDamping * target.omega_W;
+  const double pull = wrench.head<3>().norm(), turn = wrench.tail<3>().norm();
+  if (pull > spring.forceMax) wrench.head<3>() *= spring.forceMax / pull;
+  if (turn > spring.torqueMax) wrench.tail<3>() *= spring.torqueMax / turn;
   return wrench;
 }
 
@@ -30,10 +56,10 @@ void assemblePoseSpring(const PoseSpring& spring, const RigidObject& body, const
   A.add(entries[0], k * Mat3::Identity());
   A.add(entries[1], kAngular * Mat3::Identity() - k * cross * cross);
   A.add(entries[2], k * cross);
-  const Vec6 wrench = springWrench(spring, body, target, state.q);
-  const Vec3 force = wrench.head<3>() + spring.damping * target.velocity_W;
+  const Vec6 wrench = driveWrench(spring, body, target, state.q);
+  const Vec3 force = wrench.head<3>();
   b.segment<3>(0) += dt * force;
-  b.segment<3>(3) += dt * (lever.cross(force) + wrench.tail<3>() + spring.angularDamping * target.omega_W);
+  b.segment<3>(3) += dt * (lever.cross(force) + wrench.tail<3>());
 }
 
 }  // namespace glenoid

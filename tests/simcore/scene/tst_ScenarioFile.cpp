@@ -39,6 +39,7 @@ Scenario sample() {
   finger.angularStiffness = 3;
   finger.dampingRatio = 0.5;
   finger.forceMax = 20;
+  finger.friction = 0.35;
   Tool ball = finger, bar = finger;
   ball.id = "ball";
   ball.kind = ToolKind::Ball;
@@ -75,9 +76,10 @@ void expectSame(const Scenario& a, const Scenario& b) {
     EXPECT_EQ(p.name, q.name);
     EXPECT_EQ(p.kind, q.kind);
     EXPECT_EQ(
-        (std::array{p.length, p.radius, p.mass, p.stiffness, p.angularStiffness, p.dampingRatio, p.forceMax}),
+        (std::array{p.length, p.radius, p.mass, p.stiffness, p.angularStiffness, p.dampingRatio, p.forceMax,
+                    p.friction}),
         (std::array{q.length, q.radius, q.mass, q.stiffness, q.angularStiffness, q.dampingRatio,
-                    q.forceMax}));
+                    q.forceMax, q.friction}));
     EXPECT_EQ(p.home.p_WB, q.home.p_WB);
     EXPECT_EQ(p.home.q_WB.coeffs(), q.home.q_WB.coeffs());
     EXPECT_EQ(p.perforates, q.perforates);

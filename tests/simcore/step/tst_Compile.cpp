@@ -67,10 +67,38 @@ TEST(Compile, effectsSayWhy) {
   EXPECT_FALSE(model->effectOn("gravity"));
   EXPECT_TRUE(model->effectOn("contact"));
   for (const EffectPlan& effect : model->effects) {
-    if (effect.name == "gravity") EXPECT_EQ(effect.reason, "asked-off");
-    if (effect.name == "friction") EXPECT_EQ(effect.reason, "not-built");
-    if (effect.name == "couplings") EXPECT_EQ(effect.reason, "auto-present");
+    if (effect.name == "gravity") {
+      EXPECT_EQ(effect.reason, "asked-off");
+    } else if (effect.name == "friction") {
+      EXPECT_EQ(effect.reason, "nothing-to-act-on") << "all surfaces are smooth";
+    } else if (effect.name == "couplings") {
+      EXPECT_EQ(effect.reason, "auto-present");
+    }
   }
+}
+
+TEST(Compile, frictionTakesEachVertexsOwnMaterial) {
+  Joint joint = scenes::blockOnPlateJoint();
+  Material rough = joint.materials[1];
+  rough.id = "rough";
+  rough.friction = 0.6;
+  joint.materials[0].friction = joint.materials[1].friction = 0.2;
+  joint.materials.push_back(rough);
+  Part& block = joint.parts[1];
+  block.regions.push_back(scenes::regionIn(block, "top", Box3(Vec3(-1, 0.0404, -1), Vec3(1, 0.0406, 1))));
+  block.materials.push_back({"rough", "top"});
+  Scenario scenario = scenes::blockOnPlateScenario();
+  const auto model = compileModel(joint, scenario).value();
+  EXPECT_TRUE(model->effectOn("friction"));
+  const SceneObject& object = model->objects[1];
+  ASSERT_EQ(object.friction.size(), object.collision.mesh->vertices.size());
+  for (std::size_t v = 0; v < object.friction.size(); ++v)
+    if (object.collision.mesh->vertices[v].y() < 0.03) {
+      EXPECT_EQ(object.friction[v], 0.2);
+    }
+  EXPECT_EQ(*std::max_element(object.friction.begin(), object.friction.end()), 0.6);
+  scenario.effects.friction = Wish::Off;
+  for (const SceneObject& smooth : compileModel(joint, scenario).value()->objects) EXPECT_TRUE(smooth.friction.empty());
 }
 
 TEST(Compile, wrongNamesAreFaultsWithAPlace) {

@@ -2,67 +2,50 @@
 // What no step may change: momentum of a closed system, its energy upwards, and the heap.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-#include "simcore/step/StepModel.h"
-#include "simcore/step/Stepper.h"
-#include "tests/scenes/BlockScenes.h"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-// Every way to the heap that plain and aligned `new` take; the deletes match.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t align) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(align);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
+#include "tests/scenes/LadderScenes.h"
+#include "tests/simcore/step/HeapCount.h"
+#include "tests/simcore/step/Measures.h"
 
 namespace glenoid {
 namespace {
 
+using test::momentumOf;
+
 /// Figure 4's chain with every part free and a loose block flying into its middle; no gravity, no tools.
 std::shared_ptr<const Model> closedSystem(double dt, State& state) {
-  Joint joint = scenes::figure4Joint();
-  joint.parts.push_back(scenes::boxPart("loose", 4, PartKind::Soft, Vec3(-0.01, 0.022, 0.002), Vec3(0.01, 0.04, 0.018)));
-  Scenario scenario;
-  scenario.dt = dt;
-  scenario.gravity_W.setZero();
-  const auto model = compileModel(joint, scenario).value();
+  scenes::LadderScene scene = scenes::chainAndLooseBlock();
+  scene.scenario.dt = dt;
+  const auto model = compileModel(scene.joint, scene.scenario).value();
   state = model->start;
-  const ObjectLayout& loose = model->objects[3].layout;
-  for (int node = 0; node < loose.nodeCount; ++node) state.v.segment<3>(loose.vOffset + 3 * node) = Vec3(0.05, -0.4, 0.02);
+  test::setInMotion(*model, 3, Vec3(0.05, -0.4, 0.02), Vec3::Zero(), state);
   return model;
 }
 
-Vec6 momentumOf(const Model& model, const State& state) {
-  Vec6 sum = Vec6::Zero();
-  for (const auto& object : model.inside->objects) sum += object->momentum(state);
-  return sum;
-}
-
-double energyOf(const Model& model, const State& state) {
-  double sum = 0;
-  for (const auto& object : model.inside->objects) sum += object->kineticEnergy(state) + object->elasticEnergy(state);
-  for (const SpringView& spring : model.springs) {
-    const ContactObject &a = *model.inside->objects[spring.objectA], &b = *model.inside->objects[spring.objectB];
-    const Vec3 stretch = a.position(pointAt(spring.a, a.layout().rigid), state.q) - b.position(pointAt(spring.b, b.layout().rigid), state.q);
-    sum += 0.5 * spring.stiffness * stretch.squaredNorm();
+TEST(Invariants, rigidMotionOfTheWholeSceneGivesNoForce) {
+  // Turned and carried away as one, the chain stays still: no element, no coupling pulls.
+  scenes::LadderScene scene = scenes::chainAndLooseBlock();
+  scene.scenario.dt = 2e-2;
+  const auto model = compileModel(scene.joint, scene.scenario).value();
+  const Quat turn(Eigen::AngleAxisd(2.5, Vec3(1, -2, 0.5).normalized()));
+  State state = model->start;
+  for (const SceneObject& object : model->objects) {
+    const ObjectLayout& layout = object.layout;
+    for (int node = 0; node < (layout.rigid ? 1 : layout.nodeCount); ++node) {
+      const Vec3 x = state.q.segment<3>(layout.qOffset + 3 * node);
+      state.q.segment<3>(layout.qOffset + 3 * node) = turn * x + Vec3(0.3, -0.2, 0.5);
+    }
+    if (layout.rigid) state.q.segment<4>(layout.qOffset + 3) = turn.coeffs();
   }
-  return sum;
+  const VecX before = state.q;
+  Stepper stepper(model, {});
+  double fastest = 0;
+  for (int i = 0; i < 10; ++i) {
+    stepper.step({}, state);
+    fastest = std::max(fastest, state.v.cwiseAbs().maxCoeff());
+  }
+  // Half a metre away a coordinate keeps 1e-16 m, so a step cannot ask for more than some of those over Δt.
+  EXPECT_LT(fastest, 1e-12);
+  EXPECT_LT((state.q - before).norm(), 1e-13);
 }
 
 TEST(Invariants, linearMomentumIsKeptThroughCouplingsAndContacts) {
@@ -79,52 +62,106 @@ TEST(Invariants, linearMomentumIsKeptThroughCouplingsAndContacts) {
   }
 }
 
-TEST(Invariants, angularMomentumDriftsLessWithSmallerSteps) {
-  // The chain of Figure 4 turns and bends freely. At frozen rotation K v has no torque about the turned rest shape, but
-  // some, of the order of the strain, about the strained one: Δt² K v in a step, so the drift fades with Δt.
-  // (Rayleigh damping adds Δt β K v, which does not; it is off here.)
-  const auto drift = [](double dt) {
-    Scenario scenario;
-    scenario.dt = dt;
-    scenario.effects.gravity = scenario.effects.contact = scenario.effects.damping = Wish::Off;
-    const auto model = compileModel(scenes::figure4Joint(), scenario).value();
-    State state = model->start;
-    const Vec3 omega(3, 2, 10);  // rad/s
-    for (const SceneObject& object : model->objects) {
-      const ObjectLayout& layout = object.layout;
-      if (layout.rigid) state.v.segment<3>(layout.vOffset + 3) = omega;
-      for (int node = 0; node < (layout.rigid ? 1 : layout.nodeCount); ++node)
-        state.v.segment<3>(layout.vOffset + 3 * node) = omega.cross(state.q.segment<3>(layout.qOffset + 3 * node));
-    }
-    Stepper stepper(model, {});
-    const Vec3 before = momentumOf(*model, state).tail<3>();
-    const int steps = static_cast<int>(std::lround(0.2 / dt));
-    for (int i = 0; i < steps; ++i) stepper.step({}, state);
-    return (momentumOf(*model, state).tail<3>() - before).norm() / before.norm();
-  };
-  const double coarse = drift(4e-3), middle = drift(2e-3), fine = drift(1e-3);
-  EXPECT_LT(middle, 0.65 * coarse) << coarse << " at 4 ms, " << middle << " at 2 ms";
-  EXPECT_LT(fine, 0.65 * middle) << middle << " at 2 ms, " << fine << " at 1 ms";
-  RecordProperty("slope", std::to_string(std::log2(coarse / fine) / 2));
-  EXPECT_LT(fine, 2e-2);
+/// Change of the angular momentum in one step from `state`, over what there is.
+double changeOfAngularMomentum(const scenes::LadderScene& scene, double dt, State state, int* active = nullptr) {
+  Scenario scenario = scene.scenario;
+  scenario.dt = dt;
+  const auto model = compileModel(scene.joint, scenario).value();
+  const Vec3 before = momentumOf(*model, state).tail<3>();
+  Stepper stepper(model, {});
+  const int touching = stepper.step({}, state).active;
+  if (active) *active = touching;
+  return (momentumOf(*model, state).tail<3>() - before).norm() / before.norm();
 }
 
-TEST(Invariants, energyOfAClosedSystemDoesNotGrow) {
-  for (const double dt : {1e-3, 5e-3, 2e-2}) {
-    State state;
-    const auto model = closedSystem(dt, state);
-    Stepper stepper(model, {});
-    const double start = energyOf(*model, state);
-    double last = start, worst = 0;
-    for (int i = 0; i < 300; ++i) {
-      stepper.step({}, state);
-      const double now = energyOf(*model, state);
-      worst = std::max(worst, now - last);
-      last = now;
-    }
-    EXPECT_LT(worst, 1e-9 * start) << "in one step of " << dt;
-    EXPECT_LT(last, start);
+TEST(Invariants, angularMomentumOfOneStepIsKeptToSecondOrder) {
+  // Forces at the start of the step have no torque. What is linearised has: Δt² K v about the strained shape, Δt² k ṡ
+  // about stretched springs, and a rigid body's inertia turns by Δt with the step's last ω. All fall with Δt².
+  // (Rayleigh and coupling damping add Δt β K v, of first order; damping is off here.)
+  scenes::LadderScene scene = scenes::chainAndLooseBlock();
+  scene.scenario.effects.contact = scene.scenario.effects.damping = Wish::Off;
+  const auto model = compileModel(scene.joint, scene.scenario).value();
+  State state = model->start;
+  for (int object = 0; object < 3; ++object) test::setInMotion(*model, object, Vec3(0.1, 0, 0), Vec3(3, 2, 10), state);
+  Stepper stepper(model, {});
+  for (int i = 0; i < 12; ++i) stepper.step({}, state);  // turned by half a radian, strained and stretched
+  // Where Δt² k of the stiffest spring is small against a node's mass: 4e4 N/m over some spots, grams.
+  const double coarse = changeOfAngularMomentum(scene, 4e-5, state), fine = changeOfAngularMomentum(scene, 1e-5, state);
+  EXPECT_NEAR(std::log2(coarse / fine) / 2, 2, 0.1) << coarse << " at 40 us, " << fine << " at 10 us";
+  RecordProperty("slope", std::to_string(std::log2(coarse / fine) / 2));
+  // At working steps the implicit answer is smaller than its first term says.
+  EXPECT_LT(changeOfAngularMomentum(scene, 5e-3, state), coarse * std::pow(5e-3 / 4e-5, 2));
+}
+
+/// The chain's soft middle alone and the loose block.
+scenes::LadderScene twoSoftBlocks() {
+  scenes::LadderScene scene = scenes::chainAndLooseBlock();
+  scene.joint.parts = {scene.joint.parts[1], scene.joint.parts[3]};
+  scene.joint.couplings.clear();
+  scene.scenario.effects.damping = Wish::Off;
+  return scene;
+}
+
+/// The loose block about to strike the other with a corner, its shape sheared by `strain`.
+State cornerFirst(const scenes::LadderScene& scene, double strain) {
+  const auto model = compileModel(scene.joint, scene.scenario).value();
+  State state = model->start;
+  const ObjectLayout& loose = model->objects[1].layout;
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 0.3, 0.8).normalized()).toRotationMatrix();
+  Mat3 shear = Mat3::Identity();
+  shear(0, 1) = strain;
+  double lowest = 1;
+  for (int node = 0; node < loose.nodeCount; ++node) {
+    const Vec3 x = state.q.segment<3>(loose.qOffset + 3 * node), centre(0, 0.031, 0.01);
+    state.q.segment<3>(loose.qOffset + 3 * node) = centre + turn * shear * (x - centre);
+    lowest = std::min(lowest, state.q[loose.qOffset + 3 * node + 1]);
   }
+  for (int node = 0; node < loose.nodeCount; ++node) state.q[loose.qOffset + 3 * node + 1] += 0.02 - lowest;  // touching
+  test::setInMotion(*model, 1, Vec3(0.05, -0.4, 0.02), Vec3(2, 0, -3), state);
+  return state;
+}
+
+TEST(Invariants, angularMomentumIsKeptThroughAContact) {
+  // Impulses along n act at two points whose distance lies along n: no torque. From an unstrained start of soft bodies
+  // nothing else has one either, so at any step the change is round-off; from a strained one it is of second order as
+  // above. (A rigid body that is struck turns its inertia with an ω that has jumped: first order in that one step.)
+  const scenes::LadderScene scene = twoSoftBlocks();
+  int active = 0;
+  const State relaxed = cornerFirst(scene, 0), strained = cornerFirst(scene, 0.02);
+  for (const double dt : {1e-5, 1e-3, 5e-3, 2e-2}) {
+    EXPECT_LT(changeOfAngularMomentum(scene, dt, relaxed, &active), 1e-13) << dt;
+    EXPECT_GT(active, 0);
+  }
+  const double coarse = changeOfAngularMomentum(scene, 4e-5, strained, &active), fine = changeOfAngularMomentum(scene, 1e-5, strained);
+  EXPECT_GT(active, 0);
+  EXPECT_NEAR(std::log2(coarse / fine) / 2, 2, 0.1) << coarse << " at 40 us, " << fine << " at 10 us";
+}
+
+TEST(Invariants, angularMomentumOverATimeDriftsInProportionToTheStep) {
+  // Second order a step is first order over a time. The chain turns and bends freely for 0.2 s.
+  const auto drift = [](double dt) {
+    scenes::LadderScene scene{scenes::figure4Joint(), {}};
+    scene.scenario.dt = dt;
+    scene.scenario.effects.gravity = scene.scenario.effects.contact = scene.scenario.effects.damping = Wish::Off;
+    const auto model = compileModel(scene.joint, scene.scenario).value();
+    State state = model->start;
+    for (int object = 0; object < 3; ++object) test::setInMotion(*model, object, Vec3::Zero(), Vec3(3, 2, 10), state);
+    Stepper stepper(model, {});
+    const Vec3 before = momentumOf(*model, state).tail<3>();
+    for (long i = 0; i < std::lround(0.2 / dt); ++i) stepper.step({}, state);
+    return (momentumOf(*model, state).tail<3>() - before).norm() / before.norm();
+  };
+  const double coarse = drift(1e-3), fine = drift(2.5e-4);
+  EXPECT_NEAR(std::log2(coarse / fine) / 2, 1, 0.2) << coarse << " at 1 ms, " << fine << " at 0.25 ms";
+  EXPECT_LT(coarse, 2e-2);
+}
+
+TEST(Invariants, theHeapIsCounted) {
+  if (!test::heapIsCounted()) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
+  const long before = test::heapAllocations();
+  const VecX byEigen = VecX::Ones(100);
+  const std::vector<int> byNew(100);
+  EXPECT_EQ(test::heapAllocations() - before, 2) << byEigen.size() + static_cast<long>(byNew.size());
 }
 
 TEST(Invariants, aWarmStepAllocatesNothing) {
@@ -141,9 +178,9 @@ TEST(Invariants, aWarmStepAllocatesNothing) {
     int active = 0;
     for (int i = 0; i < 400; ++i) active = std::max(active, press(i));
     ASSERT_GT(active, 1);
-    const long before = allocations;
+    const long before = test::heapAllocations();
     for (int i = 400; i < 650; ++i) press(i);
-    EXPECT_EQ(allocations - before, 0) << threads << " threads";
+    EXPECT_EQ(test::heapAllocations() - before, 0) << threads << " threads";
   }
 }
 

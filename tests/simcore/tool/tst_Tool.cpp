@@ -127,7 +127,7 @@ TEST(PoseSpring, pullIsCutAtTheLargestForce) {
   held.spring.forceMax = 3;
   PoseTarget target;
   target.anchor_W = Vec3(1, 1, 1);
-  EXPECT_NEAR(springWrench(held.spring, *held.body, target, held.state.q).head<3>().norm(), 3, 1e-12);
+  EXPECT_NEAR(driveWrench(held.spring, *held.body, target, held.state.q).head<3>().norm(), 3, 1e-12);
 }
 
 TEST(PoseSpring, aHandThatMovesEvenlyIsFollowedWithoutLag) {

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One complementarity problem for each contact island. Most contacts are near without touching: the problem starts
+// with those that the free motion would violate or that pressed in the last step, and takes in others only when its
+// answer violates them. That ends with every contact right, so it is exact, and its cost follows what touches.
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/step/StepWork.h"
+
+namespace glenoid {
+
+namespace {
+
+/// Three rows a contact are dependent as a rule, where a few suffice for the six directions of two rigid bodies; what
+/// this adds is a hundred-millionth of a contact's own answer, and Newton's method settles in all but odd cases.
+constexpr double kFrictionCompliance = 1e-8;
+
+/// w_n = J v − c of every contact of an island, from the velocities as they stand.
+void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
+  for (const int c : island.contacts) work.contacts[c].speed = -work.contacts[c].target;
+  for (const int index : island.couplingIslands) {
+    const IslandWork& part = work.islands[index];
+    for (int row = 0; row < part.rows.count(); ++row) work.contacts[part.rows.contactOf(row)].speed += dot(part.rows.row(row), part.v);
+  }
+}
+
+/// Contacts that the velocities violate become unknowns; how many did.
+int chooseViolated(Stepper::Work& work, const ContactIsland& island) {
+  int more = 0;
+  for (const int c : island.contacts) {
+    StepContact& contact = work.contacts[c];
+    if (contact.chosen || contact.speed >= 0) continue;
+    contact.chosen = true;
+    ++more;
+  }
+  return more;
+}
+
+/// W = J A⁻¹ Jᵀ of the chosen rows, and d = J v − c with the free velocities.
+void buildDelassus(Stepper::Work& work, const ContactIsland& island, int n) {
+  const StageClock clock(work.report, Stage::Delassus);
+  auto W = work.W.topLeftCorner(n, n);
+  W.setZero();
+  for (const int index : island.couplingIslands) {
+    IslandWork& part = work.islands[index];
+    for (std::size_t k = 0; k < part.chosen.size(); ++k) work.d[part.chosenIds[k]] += dot(part.chosen[k], part.free);
+    part.response->prepare(part.chosen);
+    part.response->addDelassus(part.chosenIds, W);
+  }
+}
+
+/// ‖A v − b − Jᵀλ‖ / ‖b‖ over all islands: a tool that nothing pulls has b = 0 and no scale of its own.
+double momentumResidual(std::vector<IslandWork>& islands) {
+  double error = 0, scale = 0;
+  for (IslandWork& island : islands) {
+    island.A.multiply(island.v, island.residual);
+    island.residual -= island.b;
+    for (std::size_t k = 0; k < island.chosen.size(); ++k) addTransposed(island.chosen[k], -island.lambda[k], island.residual);
+    error += island.residual.squaredNorm();
+    scale += island.b.squaredNorm();
+  }
+  return std::sqrt(error / (scale > 0 ? scale : 1));
+}
+
+void solveContactIsland(Stepper::Work& work, const State& state, const ContactIsland& island) {
+  StepReport& report = work.report;
+  for (const int c : island.contacts) work.contacts[c].chosen = work.contacts[c].impulse > 0;
+  {
+    const StageClock clock(report, Stage::Contact);
+    normalSpeeds(work, island);
+    chooseViolated(work, island);
+  }
+  for (int round = 0;; ++round) {
+    const int n = chooseRows(work, state, island);
+    if (n == 0) return;
+    buildDelassus(work, island, n);
+    const StageClock clock(report, work.tangentialRows ? Stage::Friction : Stage::Contact);
+    LcpLimits limits;
+    if (work.tangentialRows) limits.compliance = kFrictionCompliance;
+    const LcpReport solved = solveChosen(work, n, limits);
+    for (const int index : island.couplingIslands) {
+      IslandWork& part = work.islands[index];
+      part.lambda.clear();
+      for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
+      part.v = part.free;
+      part.response->addImpulses(part.lambda, part.v);
+    }
+    takeImpulses(work);
+    normalSpeeds(work, island);
+    // The set only grows, so this ends; past a few rounds all are taken at once.
+    constexpr int kRounds = 6;
+    int more = chooseViolated(work, island);
+    if (more > 0 && round >= kRounds)
+      for (const int c : island.contacts) more += !std::exchange(work.contacts[c].chosen, true);
+    if (more > 0) continue;
+    if (!solved.exact) ++report.pivotsExhausted;
+    report.complementarity = std::max(report.complementarity, solved.error);
+    return;
+  }
+}
+
+}  // namespace
+
+int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island) {
+  const StageClock clock(work.report, Stage::Islands);
+  int n = 0;
+  work.unknowns.clear();
+  work.unknownContacts.clear();
+  work.tangentialRows = 0;
+  for (const int index : island.couplingIslands) work.islands[index].tangents.clear();
+  for (const int c : island.contacts) {
+    StepContact& contact = work.contacts[c];
+    if (!contact.chosen) continue;
+    contact.unknown = static_cast<int>(work.unknowns.size());
+    const ContactUnknowns& unknown = work.unknowns.emplace_back(n, contact.coefficient > 0, contact.coefficient);
+    work.unknownContacts.push_back(c);
+    n += unknown.rows();
+    if (!unknown.tangential) continue;
+    work.tangentialRows += 2;
+    for (const Vec3& tangent : contact.tangent_W) appendContactRow(work, state, c, tangent, &IslandWork::tangents);
+  }
+  if (work.d.size() < n) {
+    const Eigen::Index room = n + n / 2 + 8;
+    work.W.resize(room, room);
+    work.d.resize(room);
+    work.lambda.resize(room);
+  }
+  for (std::size_t k = 0; k < work.unknowns.size(); ++k) {
+    const StepContact& contact = work.contacts[work.unknownContacts[k]];
+    const int row = work.unknowns[k].row;
+    work.d[row] = -contact.target;
+    work.lambda[row] = contact.impulse;
+    for (int t = 0; t + 1 < work.unknowns[k].rows(); ++t) {
+      work.d[row + 1 + t] = 0;
+      work.lambda[row + 1 + t] = contact.friction_W.dot(contact.tangent_W[t]);
+    }
+  }
+  for (const int index : island.couplingIslands) {
+    IslandWork& part = work.islands[index];
+    part.chosen.clear();
+    part.chosenIds.clear();
+    for (int row = 0; row < part.rows.count(); ++row) {
+      const StepContact& contact = work.contacts[part.rows.contactOf(row)];
+      if (!contact.chosen) continue;
+      part.chosen.push_back(part.rows.row(row));
+      part.chosenIds.push_back(work.unknowns[contact.unknown].row);
+    }
+    for (int row = 0; row < part.tangents.count(); ++row) {
+      const StepContact& contact = work.contacts[part.tangents.contactOf(row)];
+      part.chosen.push_back(part.tangents.row(row));
+      part.chosenIds.push_back(work.unknowns[contact.unknown].row + 1 + row % 2);  // a contact's two stand together
+    }
+  }
+  return n;
+}
+
+LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits) {
+  const auto W = work.W.topLeftCorner(n, n);
+  const auto d = work.d.head(n);
+  return work.tangentialRows ? solveCoulomb(W, d, work.unknowns, work.lambda.head(n), limits, work.coulomb)
+                             : solveLcp(W, d, work.lambda.head(n), limits, work.lcp);
+}
+
+void takeImpulses(Stepper::Work& work) {
+  for (std::size_t k = 0; k < work.unknowns.size(); ++k) {
+    StepContact& contact = work.contacts[work.unknownContacts[k]];
+    const int row = work.unknowns[k].row;
+    contact.impulse = work.lambda[row];
+    contact.friction_W.setZero();
+    if (work.unknowns[k].tangential)
+      contact.friction_W = work.lambda[row + 1] * contact.tangent_W[0] + work.lambda[row + 2] * contact.tangent_W[1];
+  }
+}
+
+void solveConstrained(Stepper::Work& work, const State& state) {
+  StepReport& report = work.report;
+  const std::span<const ContactIsland> islands = work.islandBuilder->build(work.sides);
+  report.contactIslands = static_cast<int>(islands.size());
+  for (IslandWork& island : work.islands) {
+    island.chosen.clear();
+    island.lambda.clear();
+  }
+  for (const ContactIsland& island : islands) {
+    if (work.options.profile == Profile::Paper)
+      solveContactIslandBySplitting(work, state, island);
+    else
+      solveContactIsland(work, state, island);
+  }
+  const StageClock clock(report, Stage::Contact);
+  report.residual = momentumResidual(work.islands);
+  if (work.options.profile == Profile::Paper) report.paper.outerResidual = report.residual;
+  showContacts(work);
+}
+
+}  // namespace glenoid

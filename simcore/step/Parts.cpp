@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// When a step must be cut. Positions follow velocities along a straight line, x + Δt ω × r, while a body turns: a turn
+// by θ in one step leaves each point ½ θ² r from where the linearisation had it. In a spring of stiffness k that is an
+// energy of ⅛ θ⁴ k r², out of nothing; in tissue a strain of ½ θ².
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/body/RigidObject.h"
+#include "simcore/step/StepWork.h"
+
+namespace glenoid {
+
+namespace {
+
+constexpr int kPartsMost = 64;
+/// Tissue, rad in one part: a strain of 1 %.
+constexpr double kTurnMax = 0.15;
+/// Energy that stiff couplings may so gain in one part, of the kinetic energy of their island.
+constexpr double kGainMax = 0.02;
+
+/// Angular velocity of the whole of a soft object, each node with the same weight; zero where it has no extent.
+Vec3 spinOf(const ObjectLayout& layout, const VecX& q, const VecX& v) {
+  Vec3 centre = Vec3::Zero(), drift = Vec3::Zero();
+  for (int node = 0; node < layout.nodeCount; ++node) {
+    centre += q.segment<3>(layout.qOffset + 3 * node);
+    drift += v.segment<3>(layout.vOffset + 3 * node);
+  }
+  centre /= layout.nodeCount;
+  drift /= layout.nodeCount;
+  Mat3 inertia = Mat3::Zero();
+  Vec3 momentum = Vec3::Zero();
+  for (int node = 0; node < layout.nodeCount; ++node) {
+    const Vec3 r = q.segment<3>(layout.qOffset + 3 * node) - centre;
+    momentum += r.cross(v.segment<3>(layout.vOffset + 3 * node) - drift);
+    inertia -= r * r.transpose();
+  }
+  const double size = -inertia.trace();
+  inertia.diagonal().array() += size;
+  if (!(inertia.determinant() > 1e-9 * size * size * size)) return Vec3::Zero();
+  return inertia.inverse() * momentum;
+}
+
+}  // namespace
+
+std::vector<double> turnStiffnessOf(const StepModel& inside) {
+  std::vector<double> stiffness(inside.objects.size(), 0);
+  for (const CouplingIslandModel& island : inside.islands)
+    for (const BoundSpring& spring : island.springs)
+      for (std::size_t object = 0; object < inside.objects.size(); ++object) {
+        const ContactObject* mine = inside.objects[object].get();
+        if (!mine->layout().rigid || !mine->layout().free) continue;
+        if (spring.a == mine) stiffness[object] += spring.stiffness * spring.pointA.r_B.squaredNorm();
+        if (spring.b == mine) stiffness[object] += spring.stiffness * spring.pointB.r_B.squaredNorm();
+      }
+  return stiffness;
+}
+
+int partsOf(const Stepper::Work& work, const State& state) {
+  const double dt = work.settings.dt;
+  double parts = 1;
+  for (const CouplingIslandModel& island : work.inside->islands) {
+    double gain = 0, kinetic = 0;
+    for (const int object : island.objects) {
+      const ContactObject& mine = *work.inside->objects[object];
+      const ObjectLayout& layout = mine.layout();
+      if (!layout.rigid) {
+        parts = std::max(parts, dt * spinOf(layout, state.q, work.solved).norm() / kTurnMax);
+      } else if (work.turnStiffness[object] > 0) {
+        const Vec3 velocity = work.solved.segment<3>(layout.vOffset), omega = work.solved.segment<3>(layout.vOffset + 3);
+        const double turn2 = dt * dt * omega.squaredNorm();
+        gain += turn2 * turn2 * work.turnStiffness[object] / 8;
+        kinetic += 0.5 * mine.mass() * velocity.squaredNorm();
+      }
+    }
+    // The gain falls with the fourth power of the parts.
+    if (gain > kGainMax * kinetic && kinetic > 0) parts = std::max(parts, std::sqrt(std::sqrt(gain / (kGainMax * kinetic))));
+  }
+  return static_cast<int>(std::ceil(std::min<double>(parts, kPartsMost)));
+}
+
+}  // namespace glenoid

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for small scenes holds for the shoulder that ships: contact conditions of a whole run, order of the parts,
+// and the linear solvers on its own matrix.
+#include <gtest/gtest.h>
+
+#include "simcore/linear/BlockCholesky.h"
+#include "simcore/linear/ConjugateGradients.h"
+#include "simcore/linear/ReferenceCholesky.h"
+#include "simcore/live/Run.h"
+#include "simcore/scene/JointFile.h"
+#include "simcore/scene/RecordingFile.h"
+#include "simcore/scene/ScenarioFile.h"
+#include "tests/simcore/step/ContactJudge.h"
+
+namespace glenoid {
+namespace {
+
+using test::ContactJudge;
+
+const std::string kResources = GLENOID_SOURCE_DIR "/resources";
+
+const Joint& shoulder() {
+  static const Joint joint = loadJoint(kResources + "/joints/shoulder.joint").value();
+  return joint;
+}
+
+const Scenario& arthroscopy() {
+  static const Scenario scenario = loadScenario(kResources + "/scenarios/arthroscopy.scenario.json").value();
+  return scenario;
+}
+
+const Recording& input() {
+  static const Recording recording = loadRecording(kResources + "/recordings/arthroscopy.recording").value();
+  return recording;
+}
+
+std::shared_ptr<const Model> arthroscopyModel() {
+  static const auto model = compileModel(shoulder(), arthroscopy()).value();
+  return model;
+}
+
+/// The shipped run step by step.
+struct Session {
+  explicit Session(std::shared_ptr<const Model> compiled, Profile profile = Profile::Direct)
+      : model(std::move(compiled)), stepper(model, {profile}), state(model->start) {}
+  const StepReport& step() {
+    handsAt(model->scenario, &input(), (state.step + 1) * model->scenario.dt, hands.hands);
+    return stepper.step(hands, state);
+  }
+  std::shared_ptr<const Model> model;
+  Stepper stepper;
+  State state;
+  Inputs hands;
+};
+
+TEST(ShoulderLadder, everyContactOfAWholeRunIsComplementary) {
+  // Speeds of 0.1 m/s keep 1e-17; the solve of the stiffest rows and a compliance of 1e-12 leave some 1e-13 m/s.
+  Session run(arthroscopyModel());
+  ContactJudge judge(*run.model);
+  double worst = 0;
+  int most = 0, active = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const State before = run.state;
+    const StepReport& report = run.step();
+    ASSERT_TRUE(report.taken);
+    const ContactJudge::Verdict verdict = judge.judge(before, run.state);
+    ASSERT_EQ(verdict.rows, report.contacts + report.droppedRows) << i;
+    ASSERT_EQ(verdict.active, report.active) << i;
+    ASSERT_EQ(verdict.pull, 0);
+    worst = std::max({worst, verdict.approach, verdict.both});
+    most = std::max(most, verdict.rows);
+    active += verdict.active;
+  }
+  std::printf("worst complementarity %.1e m/s, at most %d contacts, %d active over all steps\n", worst, most, active);
+  EXPECT_LT(worst, 1e-11);
+  EXPECT_GT(most, 60);
+  EXPECT_GT(active, 500);
+}
+
+TEST(ShoulderLadder, referenceIsComplementaryToo) {
+  Session direct(arthroscopyModel());
+  for (int i = 0; i < 560; ++i) direct.step();
+  Session reference(arthroscopyModel(), Profile::Reference);
+  reference.state = direct.state;
+  ContactJudge judge(*direct.model);
+  for (int i = 0; i < 3; ++i) {
+    const State before = reference.state;
+    reference.step();
+    const ContactJudge::Verdict verdict = judge.judge(before, reference.state);
+    EXPECT_GT(verdict.active, 1);
+    EXPECT_LT(std::max(verdict.approach, verdict.both), 1e-11);
+  }
+}
+
+/// Largest difference of any velocity of a part or tool, by id.
+double difference(const Model& a, const State& x, const Model& b, const State& y) {
+  double worst = 0;
+  for (const SceneObject& one : a.objects)
+    for (const SceneObject& other : b.objects)
+      if (one.id == other.id && one.layout.vSize > 0)
+        worst = std::max(worst, (x.v.segment(one.layout.vOffset, one.layout.vSize) - y.v.segment(other.layout.vOffset, one.layout.vSize)).cwiseAbs().maxCoeff());
+  return worst;
+}
+
+TEST(ShoulderLadder, orderOfPartsInTheFileDoesNotMatter) {
+  Joint reversed = shoulder();
+  std::reverse(reversed.parts.begin(), reversed.parts.end());
+  std::reverse(reversed.couplings.begin(), reversed.couplings.end());
+  Session first(arthroscopyModel()), second(compileModel(reversed, arthroscopy()).value());
+  double worst = 0;
+  int active = 0;
+  for (int i = 0; i < 600; ++i) {  // to 3 s: both tools press
+    active += first.step().active;
+    second.step();
+    worst = std::max(worst, difference(*first.model, first.state, *second.model, second.state));
+  }
+  std::printf("parts in reverse: %.1e m/s apart at most\n", worst);
+  EXPECT_GT(active, 100);
+  // Round-off of speeds of 0.1 m/s through solves of condition 1e6.
+  EXPECT_LT(worst, 1e-11);
+}
+
+TEST(ShoulderLadder, threeSolversGiveOneAnswer) {
+  Session run(arthroscopyModel());
+  for (int i = 0; i < 100; ++i) run.step();
+  const StepModel& inside = *run.model->inside;
+  for (const CouplingIslandModel& island : inside.islands) {
+    BlockMatrix A(island.symbolic);
+    A.setZero();
+    VecX b = VecX::Zero(3 * island.blockCount), rotations = run.state.rotations;
+    for (std::size_t k = 0; k < island.objects.size(); ++k) {
+      const ContactObject& object = *inside.objects[island.objects[k]];
+      object.assemble(inside.settings, run.state, island.entries[k], rotations, A, b.segment(3 * island.base[k], 3 * object.blockCount()));
+    }
+    for (const BoundSpring& spring : island.springs) assembleSpring(spring, inside.settings.dt, run.state.q, A, b);
+    BlockCholesky cholesky(island.symbolic);
+    ReferenceCholesky cholmod(island.symbolic);
+    ASSERT_TRUE(cholesky.factor(A) && cholmod.factor(A));
+    VecX x = b, y = b, z;
+    cholesky.solve(x);
+    cholmod.solve(y);
+    CgWork work;
+    const CgReport report = solveConjugateGradients(A, b, z, {1e-13, 20000}, work, true);
+    ASSERT_TRUE(report.finite);
+    // As in tst_Equivalence; a tool that nothing pulls has y near zero, so the scale is that of a millimetre a second.
+    EXPECT_LT((x - y).norm(), 1e-12 * (1e-3 + y.norm())) << island.blockCount << " blocks";
+    EXPECT_LT((z - y).norm(), 1e-10 * (1e-3 + y.norm())) << island.blockCount << " blocks, " << report.iterations << " iterations";
+  }
+}
+
+}  // namespace
+}  // namespace glenoid
