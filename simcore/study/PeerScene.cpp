@@ -150,6 +150,7 @@ Scenario makeScenario(double dt) {
   ball.stiffness = 1e8;
   ball.angularStiffness = 1e5;
   ball.forceMax = 1e6;  // a step may bring it a centimetre further
+  ball.friction = 0;
   ball.perforates = {"fixed-bone", "moving-bone"};
   Tool ridge = ball;
   ridge.id = ridge.name = "ridge";

@@ -15,7 +15,8 @@
 /// the moving bone, since a hold acts there; m.
 ///
 /// Ridge and ball are driven in the peers. Here they are tools on a coupling so stiff (1e8 N/m) that each step
-/// brings them to their hand: 1 kN is 10 µm of lag.
+/// brings them to their hand: 1 kN is 10 µm of lag. Stiffer ones would be cut at the largest force that a scenario
+/// may name before a step of 20 ms has brought the ball across.
 namespace glenoid::peers {
 
 /// Young's moduli of the blocks: all alike, or one each.

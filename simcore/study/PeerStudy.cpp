@@ -104,7 +104,7 @@ Result<Row> measure(Stiffness stiffness, double dt, const MeasureOptions& option
   row.simulator = "glenoid";
   row.stiffness = stiffnessName(stiffness);
   row.dt = dt;
-  row.finite = row.contactConverged = true;
+  row.finite = true;
   std::vector<double> ms;
   const long steps = std::lround(std::min(options.seconds, kSeconds) / dt);
   for (long i = 1; i <= steps && row.finite; ++i) {
@@ -116,11 +116,11 @@ Result<Row> measure(Stiffness stiffness, double dt, const MeasureOptions& option
     row.contactsMean += static_cast<double>(report.contacts) / static_cast<double>(steps);
     row.contactsMax = std::max(row.contactsMax, report.contacts);
     row.complementarity = std::max(row.complementarity, report.complementarity);
-    row.contactConverged = row.contactConverged && report.pivotsExhausted == 0;
+    row.contactFallbacks += report.pivotsExhausted;
     look.at(state, ballCentre(state.time), inputs.hands[kBall].p_WB, row);
     if (options.eachStep) options.eachStep(state, report);
   }
-  row.contactConverged = row.contactConverged && row.complementarity < kComplementarity;
+  row.contactConverged = row.finite && row.complementarity < kComplementarity;
   row.stable = row.finite && look.furthest() < kTooFar && row.volumeRatioMin > 0;
   std::sort(ms.begin(), ms.end());
   row.msMedian = quantile(ms, 0.5);
@@ -150,6 +150,7 @@ JsonValue toJson(const Row& row) {
   json.set("contactsMax", row.contactsMax);
   json.set("contactConverged", row.contactConverged);
   json.set("complementarity", row.complementarity);
+  json.set("contactFallbacks", row.contactFallbacks);
   return json;
 }
 
@@ -174,6 +175,7 @@ Row toRow(const JsonValue& json) {
   row.contactsMax = static_cast<int>(json["contactsMax"].integer());
   row.contactConverged = json["contactConverged"].boolean();
   row.complementarity = json["complementarity"].number();
+  row.contactFallbacks = static_cast<int>(json["contactFallbacks"].integer());
   return row;
 }
 

@@ -27,8 +27,9 @@ struct Row {
   double bindingGap = 0;          ///< m, between any bound node and its place on the bone
   double contactsMean = 0;
   int contactsMax = 0;
-  bool contactConverged = false;  ///< no fallback, complementarity below kComplementarity in every step
+  bool contactConverged = false;  ///< complementarity below kComplementarity in every step; ours only
   double complementarity = 0;     ///< m/s, worst; ours only
+  int contactFallbacks = 0;       ///< contact islands whose exact solve ran out of its limits; ours only
 };
 
 /// A contact whose complementarity misses by less moves by less than 1 nm in 20 ms.
