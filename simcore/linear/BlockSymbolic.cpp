@@ -2,6 +2,7 @@
 #include "simcore/linear/BlockSymbolic.h"
 
 #include <amd.h>
+#include <cholmod.h>
 
 #include <algorithm>
 #include <cassert>
@@ -47,6 +48,25 @@ std::vector<int> amdOrder(const Graph& graph, int blockCount) {
   if (status != AMD_OK)
     for (int i = 0; i < blockCount; ++i) order[i] = i;
   return order;
+}
+
+/// Nested dissection by METIS, through CHOLMOD; empty where it is not built in or runs out of memory.
+std::vector<int> dissectionOrder(const Graph& graph, int blockCount) {
+  cholmod_common common;
+  cholmod_start(&common);
+  common.print = 0;
+  const auto n = static_cast<std::size_t>(blockCount);
+  std::vector<int> order(n);
+  bool good = false;
+  if (cholmod_sparse* pattern = cholmod_allocate_sparse(n, n, graph.neighbours.size(), 1, 1, 1, CHOLMOD_PATTERN, &common)) {
+    // Symmetric with the upper triangle stored: the lower one is ignored.
+    std::copy(graph.start.begin(), graph.start.end(), static_cast<int*>(pattern->p));
+    std::copy(graph.neighbours.begin(), graph.neighbours.end(), static_cast<int*>(pattern->i));
+    good = cholmod_metis(pattern, nullptr, 0, 0, order.data(), &common) != 0;
+    cholmod_free_sparse(&pattern, &common);
+  }
+  cholmod_finish(&common);
+  return good ? order : std::vector<int>();
 }
 
 std::vector<int> inverse(const std::vector<int>& order) {
@@ -107,7 +127,9 @@ BlockSymbolic::BlockSymbolic(int blockCount, std::span<const std::array<int, 2>>
   assert(blockCount >= 0);
   const int n = blockCount;
   const Graph graph = makeGraph(n, pairs);
-  m_blockAt = amdOrder(graph, n);
+  if (n >= kDissectFrom) m_blockAt = dissectionOrder(graph, n);
+  m_ordering = m_blockAt.empty() ? BlockOrdering::MinimumDegree : BlockOrdering::NestedDissection;
+  if (m_blockAt.empty()) m_blockAt = amdOrder(graph, n);
   m_position = inverse(m_blockAt);
 
   // Postorder changes no fill and puts related columns side by side in memory.

@@ -16,8 +16,11 @@ struct BlockEntry {
   bool transposed = false;
 };
 
+/// How the blocks were put in order of elimination.
+enum class BlockOrdering { MinimumDegree, NestedDissection };
+
 /// Everything about a symmetric matrix of 3×3 blocks that does not change from step to step: fill-reducing
-/// ordering (AMD on the block graph), elimination tree, the blocks of the factor L and the targets of every
+/// ordering (AMD on the block graph, METIS where it is large), elimination tree, the blocks of the factor L and the targets of every
 /// update. Built once when a model is compiled; shared, immutable, thread-safe.
 ///
 /// Block rows are 0…blockCount−1 in the caller's order; "position" is the place in the elimination order.
@@ -30,6 +33,12 @@ class BlockSymbolic {
   /// `pairs`: the blocks (row, col) that may be non-zero, in any order and either triangle; duplicates are
   /// allowed, diagonals implied. Indices outside 0…blockCount−1 are a broken promise (assert).
   BlockSymbolic(int blockCount, std::span<const std::array<int, 2>> pairs);
+
+  /// From this many blocks on the graph is dissected. L is not much smaller for it, but the way from a block to the root
+  /// is much shorter, and that is what the rows of contact pay for: at 18 500 blocks and 1100 rows L⁻¹Jᵀ and W take
+  /// 58 ms instead of 137, the factorization 97 instead of 83. At 2350 blocks gain and loss are about even.
+  static constexpr int kDissectFrom = 4000;
+  BlockOrdering ordering() const { return m_ordering; }
 
   int blockCount() const { return static_cast<int>(m_parent.size()); }
   /// Number of stored blocks, fill included.
@@ -72,6 +81,7 @@ class BlockSymbolic {
   std::span<const Stored> stored() const { return m_stored; }  ///< blocks of A, ascending by slot
 
  private:
+  BlockOrdering m_ordering = BlockOrdering::MinimumDegree;
   std::vector<int> m_position, m_blockAt, m_parent, m_depth;
   std::vector<int> m_columnStart, m_rows;
   std::vector<char> m_inA;  ///< per slot

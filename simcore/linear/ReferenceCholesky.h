@@ -6,8 +6,8 @@
 
 namespace glenoid {
 
-/// CHOLMOD behind the same questions as BlockCholesky: an independent solver to check ours against and the
-/// better choice for models of many thousand nodes. Slower by an order of magnitude at shoulder size.
+/// CHOLMOD behind the same questions as BlockCholesky: an independent solver to check ours against.
+/// Slower by an order of magnitude at shoulder size.
 /// The symbolic phase is done once; solves are refined twice with residuals in extended precision.
 /// Keeps OpenBLAS, where that is the BLAS in use, to one thread in the whole process.
 /// Source: Chen, Davis, Hager, Rajamanickam, "Algorithm 887: CHOLMOD", ACM TOMS 2008.

@@ -107,6 +107,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   gather.finish(report);
   report.scenario = model->scenario.id;
   report.profile = profileName(options.stepper.profile);
+  report.solver = solverName(*model, options.stepper.profile);
   report.build = buildId();
   report.isa = kernelIsa(options.stepper.portable);
   report.jointHash = model->jointHash;

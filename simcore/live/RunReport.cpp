@@ -124,7 +124,7 @@ std::vector<PartReport> partReports(const Model& model) {
 
 std::string toJson(const RunReport& r) {
   Json json = object(
-      {{"schemaVersion", 1}, {"scenario", r.scenario}, {"profile", r.profile}, {"dt", r.dt}, {"steps", r.steps},
+      {{"schemaVersion", 1}, {"scenario", r.scenario}, {"profile", r.profile}, {"solver", r.solver}, {"dt", r.dt}, {"steps", r.steps},
        {"seconds", r.seconds}, {"build", r.build}, {"isa", r.isa}, {"seed", r.seed}, {"threads", r.threads},
        {"realtime", r.realtime}, {"finite", r.finite}, {"diverged", r.diverged}, {"rejectedSteps", r.rejectedSteps},
        {"stepsPerSecond", r.stepsPerSecond}, {"stepsPerCpuSecond", r.stepsPerCpuSecond},

@@ -79,7 +79,7 @@ struct PaceReport {
 
 /// Everything a run tells. SI units, times in ms where the name says so.
 struct RunReport {
-  std::string scenario, profile, build, isa, jointHash, stateHash;
+  std::string scenario, profile, solver, build, isa, jointHash, stateHash;
   double dt = 0, seconds = 0;
   long steps = 0, rejectedSteps = 0;
   unsigned seed = 1;

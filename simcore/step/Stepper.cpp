@@ -31,6 +31,18 @@ namespace {
 constexpr double kLookAhead = 0.25;
 }  // namespace
 
+const char* solverName(const Model& model, Profile profile) {
+  switch (profile) {
+    case Profile::Direct:
+      for (const CouplingIslandModel& island : model.inside->islands)
+        if (island.symbolic->ordering() == BlockOrdering::NestedDissection) return "block-cholesky-dissected";
+      return "block-cholesky";
+    case Profile::Reference: return "cholmod";
+    case Profile::Paper: break;
+  }
+  return "conjugate-gradients";
+}
+
 const char* kernelIsa(bool portable) { return kernelIsaName(portable); }
 
 Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& options) : m_work(std::make_unique<Work>()) {

@@ -80,6 +80,10 @@ class Stepper {
   std::unique_ptr<Work> m_work;
 };
 
+/// What solves the linear systems: "block-cholesky", the same "-dissected" where an island is so large that its blocks are
+/// ordered by nested dissection, "cholmod", "conjugate-gradients".
+const char* solverName(const Model& model, Profile profile);
+
 /// "avx2-fma" or "portable": the instruction set of the kernels that would be used.
 const char* kernelIsa(bool portable);
 

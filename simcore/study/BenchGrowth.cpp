@@ -71,7 +71,7 @@ Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const Bench
   table.id = "growth";
   table.columns = {"wanted", "tetrahedra", "velocities", "collisionTriangles", "contacts", "active", "repeats", "stepMedianMs",
                    "stepP95Ms", "stepP99Ms", "stepP999Ms", "wallMedianMs", "assembleMs", "factorMs", "delassusMs", "contactMs",
-                   "collideMs", "nearTrianglePairs", "memoryMiB", "taken"};
+                   "collideMs", "nearTrianglePairs", "memoryMiB", "taken", "solver"};
   std::vector<double> tets, ms, collideMs, contacts, near;
   for (std::size_t i = 0; i < options.tetrahedra.size(); ++i) {
     const double begin = 0.1 + 0.9 * static_cast<double>(i) / static_cast<double>(options.tetrahedra.size());
@@ -94,7 +94,7 @@ Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const Bench
                           collisionTrianglesOf(**model), long{cost.contacts}, long{cost.active}, cost.repeats, cost.cpu.median,
                           cost.cpu.p95, cost.cpu.p99, cost.cpu.p999, cost.wall.median, stage(Stage::Assemble), stage(Stage::Factor),
                           stage(Stage::Delassus), stage(Stage::Contact), stage(Stage::Collide), nearPairs, cost.memoryMiB,
-                          cost.taken});
+                          cost.taken, std::string(solverName(**model, Profile::Direct))});
     tets.push_back(static_cast<double>(tetrahedraOf(*joint)));
     ms.push_back(cost.cpu.median);
     collideMs.push_back(stage(Stage::Collide));
@@ -105,8 +105,7 @@ Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const Bench
                  {"contactsExponent", exponentOf(tets, contacts)},
                  {"collideExponent", exponentOf(tets, collideMs)},
                  {"collideExponentOverNear", exponentOf(near, collideMs)},
-                 {"memoryPeakMiB", residentPeakMiB()},
-                 {"solver", std::string("block-cholesky")}};
+                 {"memoryPeakMiB", residentPeakMiB()}};
   return std::vector<StudyTable>{std::move(table)};
 }
 

@@ -33,6 +33,7 @@ TEST(RunCommand, theReportHoldsWhatItPromises) {
     EXPECT_TRUE(report.contains(field)) << field;
   EXPECT_EQ(report["steps"], 40);
   EXPECT_EQ(report["profile"], "direct");
+  EXPECT_EQ(report["solver"], "block-cholesky");
   EXPECT_EQ(report["finite"], true);
   EXPECT_EQ(report["rejectedSteps"], 0);
   EXPECT_EQ(report["parts"].size(), 11u);

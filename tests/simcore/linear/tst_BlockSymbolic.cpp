@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "simcore/linear/BlockCholesky.h"
 #include "tests/simcore/linear/Problems.h"
 
 namespace glenoid::test {
@@ -84,6 +85,47 @@ TEST(BlockSymbolic, orderingKeepsFillOfSparseGraphsSmall) {
     ++trees;
   }
   EXPECT_EQ(trees, 3);
+}
+
+/// A square sheet with diagonals, `n` blocks along each side.
+Pattern sheet(int n) {
+  Pattern pattern{"sheet", n * n, {}};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      if (i + 1 < n) pattern.pairs.push_back({i * n + j, (i + 1) * n + j});
+      if (j + 1 < n) pattern.pairs.push_back({i * n + j, i * n + j + 1});
+      if (i + 1 < n && j + 1 < n) pattern.pairs.push_back({i * n + j, (i + 1) * n + j + 1});
+    }
+  return pattern;
+}
+
+TEST(BlockSymbolic, aLargeGraphIsDissectedAndASmallOneIsNot) {
+  const Pattern small = sheet(50), large = sheet(70);
+  ASSERT_LT(small.blocks, BlockSymbolic::kDissectFrom);
+  ASSERT_GE(large.blocks, BlockSymbolic::kDissectFrom);
+  EXPECT_EQ(BlockSymbolic(small.blocks, small.pairs).ordering(), BlockOrdering::MinimumDegree);
+
+  const BlockMatrix A = randomSpd(large, 7);
+  const BlockSymbolic& symbolic = A.symbolic();
+  EXPECT_EQ(symbolic.ordering(), BlockOrdering::NestedDissection);
+  const BlockSymbolic again(large.blocks, large.pairs);
+  std::set<int> seen;
+  for (int i = 0; i < large.blocks; ++i) {
+    seen.insert(symbolic.position(i));
+    EXPECT_EQ(again.position(i), symbolic.position(i));  // same graph, same order
+  }
+  EXPECT_EQ(static_cast<int>(seen.size()), large.blocks);
+  // Separators of a sheet halve: n, n/2, n/2, n/4, … blocks on the way from a leaf to the root, below 4 n in all.
+  EXPECT_LT(*std::max_element(symbolic.depths().begin(), symbolic.depths().end()), 4 * 70);
+
+  BlockCholesky cholesky(A.sharedSymbolic());
+  ASSERT_TRUE(cholesky.factor(A));
+  const VecX x = Random(3).vector(3 * large.blocks);
+  VecX y;
+  A.multiply(x, y);
+  cholesky.solve(y);
+  // The shift of 1 keeps cond(A) below 1e3.
+  EXPECT_LT((y - x).norm(), 1e-12 * x.norm());
 }
 
 TEST(BlockSymbolic, emptyMatrixIsFine) {
