@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the force's derivative the linear corotational step leaves out: K holds the rotation still, the whole
-// derivative H lets it move with the nodes. The figures stand in simcore/fem/README.md.
+// How much of the force's derivative the linear corotational step leaves out: K holds the rotation still, the
+// whole derivative H lets it move with the nodes. The figures stand in simcore/fem/README.md.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -50,7 +50,9 @@ Derivatives derivativesAt(const Mat3& F, double nu) {
   return d;
 }
 
-Mat3 turn() { return Eigen::AngleAxisd(1.4, Vec3(1, -2, 3).normalized()).toRotationMatrix(); }
+Mat3 turn() {
+  return Eigen::AngleAxisd(1.4, Vec3(1, -2, 3).normalized()).toRotationMatrix();
+}
 
 /// Symmetric, of the given size, by name of the load.
 Mat3 strainOf(const std::string& load, double e, double nu) {
@@ -69,28 +71,34 @@ TEST(LeftOut, isNothingAtRestAndInRigidMotion) {
 TEST(LeftOut, growsInProportionToTheStrain) {
   for (const double nu : {0.3, 0.45, 0.49})
     for (const std::string load : {"stretch", "squeeze", "shear", "swell"}) {
-      const auto at = [&](double e) { return derivativesAt(turn() * (Mat3::Identity() + strainOf(load, e, nu)), nu).leftOut(); };
-      // Proportional as long as the strain is small against one: 1 % of strain bends the line by less than 2 %.
+      const auto at = [&](double e) {
+        return derivativesAt(turn() * (Mat3::Identity() + strainOf(load, e, nu)), nu).leftOut();
+      };
+      // Proportional as long as the strain is small against one: 1 % of strain bends the line by less than 2
+      // %.
       EXPECT_NEAR(at(1e-2) / at(1e-3), 10, 0.2) << load << " at nu " << nu;
-      // Loads that nearly keep the volume leave out a quarter of the strain at most, a change of volume at most 1.8 times it,
-      // since K is relative to λ and only then the pressure is too.
+      // Loads that nearly keep the volume leave out a quarter of the strain at most, a change of volume at
+      // most 1.8 times it, since K is relative to λ and only then the pressure is too.
       const double share = load == "swell" ? 1.8 : 0.26;
-      for (const double e : {1e-3, 1e-2, 0.1, 0.3}) EXPECT_LT(at(e), share * e) << load << " by " << e << " at nu " << nu;
+      for (const double e : {1e-3, 1e-2, 0.1, 0.3})
+        EXPECT_LT(at(e), share * e) << load << " by " << e << " at nu " << nu;
       EXPECT_GT(derivativesAt(turn() * (Mat3::Identity() + strainOf(load, 0.1, nu)), nu).leftOut(), 1e-4);
     }
 }
 
 TEST(LeftOut, isWhatMakesTheWholeDerivativeIndefinite) {
-  // Squeezed along one axis to a third, flat, and inside out. K, which the step takes, never has a negative eigenvalue;
-  // H has one as large as K itself when flat, and grows as 1/(s₂ + s₃) toward opposite singular values, where the
-  // rotation jumps.
+  // Squeezed along one axis to a third, flat, and inside out. K, which the step takes, never has a negative
+  // eigenvalue; H has one as large as K itself when flat, and grows as 1/(s₂ + s₃) toward opposite singular
+  // values, where the rotation jumps.
   struct Case {
     double third, leftOut, lowest;  ///< third singular value; figures measured at ν 0.45, ±10 %
   };
   for (const Case& c : {Case{0.5, 0.44, -0.30}, Case{0.0, 1.15, -0.84}, Case{-0.5, 3.39, -2.74}}) {
     const Derivatives d = derivativesAt(turn() * Mat3(Vec3(1.0, 0.9, c.third).asDiagonal()), 0.45);
     const double largest = d.K.operatorNorm();
-    const auto lowest = [&](const Mat12& m) { return Eigen::SelfAdjointEigenSolver<Mat12>(0.5 * (m + m.transpose())).eigenvalues()[0]; };
+    const auto lowest = [&](const Mat12& m) {
+      return Eigen::SelfAdjointEigenSolver<Mat12>(0.5 * (m + m.transpose())).eigenvalues()[0];
+    };
     EXPECT_GT(lowest(d.K), -1e-13 * largest);
     EXPECT_NEAR(lowest(d.H) / largest, c.lowest, 0.1 * std::abs(c.lowest)) << c.third;
     EXPECT_NEAR(d.leftOut(), c.leftOut, 0.1 * c.leftOut) << c.third;
