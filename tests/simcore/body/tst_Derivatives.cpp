@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A = M − Δt ∂F/∂v − Δt² (∂F/∂q) G and b = Δt F + (M − Δt ∂F/∂v) v₀ of each kind of object against
-// differences of F and of the kinetic energy, at frozen rotations.
+// differences of F and of the kinetic energy, at frozen rotations; besides, tension's stiffness against
+// turning (simcore/fem/README.md).
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -69,6 +70,27 @@ MatX stiffnessByDifferences(const test::SoftSystem& system) {
   return K;
 }
 
+/// Tension's part of every element, put together densely.
+MatX tensionPart(const test::SoftSystem& system) {
+  MatX K = MatX::Zero(system.state.q.size(), system.state.q.size());
+  for (std::size_t e = 0; e < system.mesh->tets.size(); ++e) {
+    const auto& nodes = system.mesh->tets[e];
+    Mat34 x0, x;
+    for (int i = 0; i < 4; ++i) {
+      x0.col(i) = system.mesh->nodes[nodes[i]];
+      x.col(i) = system.state.q.segment<3>(3 * nodes[i]);
+    }
+    const CorotTet tet = makeCorotTet(x0, system.tissue.lame, system.tissue.fill).value();
+    const Mat3 R = Quat(Eigen::Map<const Quat>(system.state.rotations.data() + 4 * e)).toRotationMatrix();
+    const Mat34 b = rotatedGradients(tet, R);
+    const double t = tensionStiffness(tet, deformationGradient(tet, x), R);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        K.block<3, 3>(3 * nodes[i], 3 * nodes[j]) += tensionBlock(t, b.col(i), b.col(j));
+  }
+  return K;
+}
+
 /// M as the Hessian of the kinetic energy, exact for a quadratic: M_ij = E(e_i + e_j) − E(e_i) − E(e_j).
 MatX massByDifferences(const ContactObject& object, State state) {
   const Eigen::Index n = state.v.size();
@@ -99,7 +121,7 @@ TEST_P(SoftDerivatives, matrixAndRightHandSideAreThoseOfTheForce) {
   const MatX K = stiffnessByDifferences(system), M = massByDifferences(*system.soft, system.state);
   const double dt = settings.dt, alpha = system.tissue.massDamping, beta = system.tissue.stiffnessDamping;
   // F(q, v) = f(q) + M g − (α M + β K) v, Rayleigh's damping with the stiffness at frozen rotations.
-  const MatX expectedA = M + dt * (alpha * M + beta * K) + dt * dt * K;
+  const MatX expectedA = M + dt * (alpha * M + beta * K) + dt * dt * (K + tensionPart(system));
   const VecX weight = M * settings.gravity_W.replicate(system.layout.nodeCount, 1);
   const VecX expectedB = dt * (forceAtFrozenRotations(system, system.state.q) + weight) + M * system.state.v;
   // Differences over 1 mm of positions of 0.2 m lose three digits of sixteen.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy of a closed system: where it never grows, and how far it does where it can. Backward Euler at
-// frozen rotation leaves out the stiffness that tension gives against turning (simcore/fem/README.md) and
-// moves nodes along tangents, so a stiff body that turns by much in a step is blown up a little in each, and
-// a very taut one flutters.
+// The energy of a closed system: where it never grows, and how far it does where it can. Nodes move along
+// tangents, so a stiff body that turns by much in a step is blown up a little in each; what follows from that
+// is taken implicitly, with the stiffness that tension gives against turning (simcore/fem/README.md).
 #include <gtest/gtest.h>
 
 #include "tests/scenes/LadderScenes.h"
@@ -98,10 +97,10 @@ TEST(Energy, neverGrowsInAnImpactOfSoftTissueAtTwentyMilliseconds) {
     EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).inOneStep, kRoundOff) << describe(tissue, 2e-2);
 }
 
-TEST(Energy, staysBelowFiveTimesTheStartInAnImpactOfStiffTissueAtTwentyMilliseconds) {
-  // Measured: 4.0 at 100 MPa and ν 0.49, from the slow turning after the hit.
+TEST(Energy, neverExceedsTheStartInAnImpactOfStiffTissueAtTwentyMilliseconds) {
+  // From the hit on it may rise between two steps, by what moving along tangents puts in.
   for (const Tissue& tissue : tissues({1e6, 1e8}))
-    EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).ever, 5) << describe(tissue, 2e-2);
+    EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).ever, 1) << describe(tissue, 2e-2);
 }
 
 TEST(Energy, neverExceedsTheStartFromAScatteredShape) {
@@ -118,23 +117,13 @@ TEST(Energy, neverExceedsTheStartFromAScatteredShape) {
 TEST(Energy, ofASpinningChainIsBoundedByWhatMovingAlongTangentsPutsIn) {
   // 10.6 rad/s: 0.6°, 3° and 12° a step. Positions go along tangents, so the first step already strains a
   // body by half the square of that angle: next to nothing at 1 ms, 9000 times the start for 100 MPa and ν
-  // 0.49 at 20 ms. Without Rayleigh damping hardly more is ever there up to 5 ms; with it up to 1.42 times as
-  // much, since it takes the turning of a strained body for a rate of strain.
+  // 0.49 at 20 ms. More than that is never there, but for the share of Rayleigh damping, which takes the
+  // turning of a strained body for a rate of strain: measured 0.15 % at 5 kPa and 5 ms.
   for (const Tissue& tissue : tissues({5e3, 5e4, 1e6, 1e8}))
-    for (const double dt : {1e-3, 5e-3}) {
+    for (const double dt : {1e-3, 5e-3, 2e-2}) {
       const Growth growth = growthOf(tissue, dt, Start::Spin);
-      EXPECT_LT(growth.ever, (tissue.damping == 0 ? 1.002 : 1.5) * growth.tangent) << describe(tissue, dt);
+      EXPECT_LT(growth.ever, (tissue.damping == 0 ? 1.0002 : 1.003) * growth.tangent) << describe(tissue, dt);
     }
-  // At 20 ms stiff tissue stays there too, while soft tissue, which the spin strains by five per cent, gains
-  // from step to step: measured 20 times at 5 kPa and ν 0.49.
-  for (const Tissue& tissue : tissues({1e6, 1e8})) {
-    const Growth growth = growthOf(tissue, 2e-2, Start::Spin);
-    EXPECT_LT(growth.ever, 1.05 * growth.tangent) << describe(tissue, 2e-2);
-  }
-  for (const Tissue& tissue : tissues({5e3, 5e4})) {
-    const Growth growth = growthOf(tissue, 2e-2, Start::Spin);
-    EXPECT_LT(growth.ever, 25 * growth.tangent) << describe(tissue, 2e-2);
-  }
 }
 
 /// A band starts still and evenly stretched between its walls: largest energy once it has had time to rest,
@@ -161,27 +150,14 @@ double restlessness(double young, double stretch, double dt) {
   return most / least;
 }
 
-TEST(Energy, ofATautBandComesToRestBelowTheStretchItsStepCanHold) {
-  // Tension σ makes waves of speed √(σ/ρ), which only the bending stiffness takes implicitly. It rests to a
-  // millionth of its energy where it rests at all.
-  struct Held {
-    double young, stretch, slowest;
-  };
-  for (const Held& held :
-       {Held{5e4, 0.01, 2e-2}, Held{1e6, 0.01, 2e-2}, Held{1e7, 0.01, 2e-2}, Held{1e8, 0.01, 2e-2},
-        Held{5e4, 0.05, 2e-2}, Held{1e6, 0.05, 5e-3}, Held{1e7, 0.05, 1e-3}, Held{1e8, 0.05, 1e-3}})
-    for (const double dt : {1e-3, 5e-3, 2e-2})
-      EXPECT_TRUE(dt > held.slowest || restlessness(held.young, held.stretch, dt) < 1 + 1e-6)
-          << held.young << " Pa, " << held.stretch << ", " << dt << " s";
-}
-
-TEST(Energy, ofATautBandBeyondThatIsBounded) {
-  // It flutters instead of resting; the elastic energy bounds how far. Measured: at most 13 times that at
-  // rest, at 100 MPa, 20 % and 20 ms; 1.5 times at 1 MPa, 5 % and 20 ms.
+TEST(Energy, ofATautBandComesToRestAtAnyStretchAndStep) {
+  // Tension σ makes waves of speed √(σ/ρ). Without its stiffness in A all but the small stretches flutter,
+  // with up to 13 times the energy at rest; with it the band rests to a millionth.
   for (const double young : {5e4, 1e6, 1e7, 1e8})
-    for (const double stretch : {0.05, 0.2})
+    for (const double stretch : {0.01, 0.05, 0.2})
       for (const double dt : {1e-3, 5e-3, 2e-2})
-        EXPECT_LT(restlessness(young, stretch, dt), 15) << young << " Pa, " << stretch << ", " << dt << " s";
+        EXPECT_LT(restlessness(young, stretch, dt), 1 + 1e-6)
+            << young << " Pa, " << stretch << ", " << dt << " s";
 }
 
 }  // namespace
