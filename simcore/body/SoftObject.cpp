@@ -98,7 +98,11 @@ void SoftObject::assembleElement(int e, const StepSettings& settings, const VecX
   for (int i = 0; i < 4; ++i) b.segment<3>(3 * m_mesh->tets[e][i]) += dt * force.col(i);
   const double scale = dt * dt + (settings.damping ? dt * m_stiffnessDamping[e] : 0);
   const Mat34 g = rotatedGradients(tet, R_WE);
-  for (int k = 0; k < 10; ++k) A.add(entries[k], scale * stiffnessBlock(tet, g.col(kPairs[k][0]), g.col(kPairs[k][1])));
+  const double turning = dt * dt * tensionStiffness(tet, F, R_WE);
+  for (int k = 0; k < 10; ++k) {
+    const Vec3 gi = g.col(kPairs[k][0]), gj = g.col(kPairs[k][1]);
+    A.add(entries[k], scale * stiffnessBlock(tet, gi, gj) + tensionBlock(turning, gi, gj));
+  }
 }
 
 void SoftObject::assemble(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries,

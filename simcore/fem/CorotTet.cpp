@@ -2,6 +2,8 @@
 #include "simcore/fem/CorotTet.h"
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 
 namespace glenoid {
 
@@ -30,6 +32,12 @@ Result<CorotTet> makeCorotTet(const Mat34& x0_E, const Lame& lame, double fill) 
 }
 
 namespace {
+Mat3 stressOf(const Lame& lame, const Mat3& strain) {
+  Mat3 stress = 2 * lame.mu * strain;
+  stress.diagonal().array() += lame.lambda * strain.trace();
+  return stress;
+}
+
 Mat3 strainOf(const Mat3& F, const Mat3& R_WE) {
   const Mat3 U = R_WE.transpose() * F;
   return 0.5 * (U + U.transpose()) - Mat3::Identity();
@@ -37,10 +45,15 @@ Mat3 strainOf(const Mat3& F, const Mat3& R_WE) {
 }  // namespace
 
 Mat34 elasticForce(const CorotTet& tet, const Mat3& F, const Mat3& R_WE) {
-  const Mat3 strain = strainOf(F, R_WE);
-  Mat3 stress = 2 * tet.lame.mu * strain;
-  stress.diagonal().array() += tet.lame.lambda * strain.trace();
-  return -tet.volume * (R_WE * (stress * tet.gradients_E));
+  return -tet.volume * (R_WE * (stressOf(tet.lame, strainOf(F, R_WE)) * tet.gradients_E));
+}
+
+double tensionStiffness(const CorotTet& tet, const Mat3& F, const Mat3& R_WE) {
+  // The largest eigenvalue of tr(σ) I − σ is at most a third of its trace and √(2/3) of its deviator's norm; stretches
+  // that pull add up to two or more.
+  const Mat3 stress = stressOf(tet.lame, strainOf(F, R_WE));
+  const double mean = stress.trace() / 3, deviator = std::max(0.0, stress.squaredNorm() - 3 * mean * mean);
+  return 0.25 * tet.volume * std::max(0.0, 2 * mean + std::sqrt(2.0 / 3 * deviator));
 }
 
 double elasticEnergy(const CorotTet& tet, const Mat3& F, const Mat3& R_WE) {

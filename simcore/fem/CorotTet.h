@@ -51,6 +51,17 @@ inline Mat3 stiffnessBlock(const CorotTet& tet, const Vec3& b_i, const Vec3& b_j
   return K;
 }
 
+/// Half of volume × τ, J, with τ an upper bound of the stiffness (σ_i + σ_j)/(s_i + s_j) that principal stresses σ give
+/// against turning in the plane of two principal stretches s; 0 where nothing pulls. README has the derivation.
+double tensionStiffness(const CorotTet& tet, const Mat3& F, const Mat3& R_WE);
+
+/// What it adds to stiffnessBlock: t ((b_i·b_j) I − b_j b_iᵀ), positive semi-definite as a whole.
+inline Mat3 tensionBlock(double t, const Vec3& b_i, const Vec3& b_j) {
+  Mat3 K = (-t * b_j) * b_i.transpose();
+  K.diagonal().array() += t * b_i.dot(b_j);
+  return K;
+}
+
 /// Elastic energy, J, of the corotated strain.
 double elasticEnergy(const CorotTet& tet, const Mat3& F, const Mat3& R_WE);
 

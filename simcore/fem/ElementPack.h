@@ -27,7 +27,7 @@ struct alignas(32) PackResult {
   bool settled[4];          ///< the rotation converged; where not, the caller must find it another way
 };
 
-/// Rotations (from the guesses), forces, and (dt² + dt β) K added to the targets, of four elements.
+/// Rotations (from the guesses), forces, and (dt² + dt β) K + dt² (tension's part) added to the targets, of four elements.
 /// `nodes`: the object's node positions, xyz after xyz, m. `quaternions`: guesses of the four lanes.
 /// `damping` 0 or 1 scales β. A lane that has not settled adds nothing to its targets.
 using PackKernel = void (*)(const ElementPack& pack, const double* nodes, const double* const quaternions[4], double dt,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for small scenes holds for the shoulder that ships: contact conditions of a whole run, order of the parts,
-// and the linear solvers on its own matrix.
+// What holds for small scenes holds for the shoulder that ships: contact conditions of a whole run, order of
+// the parts, and the linear solvers on its own matrix.
 #include <gtest/gtest.h>
 
 #include "simcore/linear/BlockCholesky.h"
@@ -54,7 +54,8 @@ struct Session {
 };
 
 TEST(ShoulderLadder, everyContactOfAWholeRunIsComplementary) {
-  // Speeds of 0.1 m/s keep 1e-17; the solve of the stiffest rows and a compliance of 1e-12 leave some 1e-13 m/s.
+  // Speeds of 0.1 m/s keep 1e-17; the solve of the stiffest rows and a compliance of 1e-12 leave some 1e-13
+  // m/s.
   Session run(arthroscopyModel());
   ContactJudge judge(*run.model);
   double worst = 0;
@@ -71,7 +72,8 @@ TEST(ShoulderLadder, everyContactOfAWholeRunIsComplementary) {
     most = std::max(most, verdict.rows);
     active += verdict.active;
   }
-  std::printf("worst complementarity %.1e m/s, at most %d contacts, %d active over all steps\n", worst, most, active);
+  std::printf("worst complementarity %.1e m/s, at most %d contacts, %d active over all steps\n", worst, most,
+              active);
   EXPECT_LT(worst, 1e-11);
   EXPECT_GT(most, 60);
   EXPECT_GT(active, 500);
@@ -98,7 +100,10 @@ double difference(const Model& a, const State& x, const Model& b, const State& y
   for (const SceneObject& one : a.objects)
     for (const SceneObject& other : b.objects)
       if (one.id == other.id && one.layout.vSize > 0)
-        worst = std::max(worst, (x.v.segment(one.layout.vOffset, one.layout.vSize) - y.v.segment(other.layout.vOffset, one.layout.vSize)).cwiseAbs().maxCoeff());
+        worst = std::max(worst, (x.v.segment(one.layout.vOffset, one.layout.vSize) -
+                                 y.v.segment(other.layout.vOffset, one.layout.vSize))
+                                    .cwiseAbs()
+                                    .maxCoeff());
   return worst;
 }
 
@@ -130,9 +135,11 @@ TEST(ShoulderLadder, threeSolversGiveOneAnswer) {
     VecX b = VecX::Zero(3 * island.blockCount), rotations = run.state.rotations;
     for (std::size_t k = 0; k < island.objects.size(); ++k) {
       const ContactObject& object = *inside.objects[island.objects[k]];
-      object.assemble(inside.settings, run.state, island.entries[k], rotations, A, b.segment(3 * island.base[k], 3 * object.blockCount()));
+      object.assemble(inside.settings, run.state, island.entries[k], rotations, A,
+                      b.segment(3 * island.base[k], 3 * object.blockCount()));
     }
-    for (const BoundSpring& spring : island.springs) assembleSpring(spring, inside.settings.dt, run.state.q, A, b);
+    for (const BoundSpring& spring : island.springs)
+      assembleSpring(spring, inside.settings.dt, run.state.q, A, b);
     BlockCholesky cholesky(island.symbolic);
     ReferenceCholesky cholmod(island.symbolic);
     ASSERT_TRUE(cholesky.factor(A) && cholmod.factor(A));
@@ -142,9 +149,11 @@ TEST(ShoulderLadder, threeSolversGiveOneAnswer) {
     CgWork work;
     const CgReport report = solveConjugateGradients(A, b, z, {1e-13, 20000}, work, true);
     ASSERT_TRUE(report.finite);
-    // As in tst_Equivalence; a tool that nothing pulls has y near zero, so the scale is that of a millimetre a second.
+    // As in tst_Equivalence; a tool that nothing pulls has y near zero, so the scale is that of a millimetre
+    // a second.
     EXPECT_LT((x - y).norm(), 1e-12 * (1e-3 + y.norm())) << island.blockCount << " blocks";
-    EXPECT_LT((z - y).norm(), 1e-10 * (1e-3 + y.norm())) << island.blockCount << " blocks, " << report.iterations << " iterations";
+    EXPECT_LT((z - y).norm(), 1e-10 * (1e-3 + y.norm()))
+        << island.blockCount << " blocks, " << report.iterations << " iterations";
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shoulder that ships at rest, hands still, for a long time: no drift, no leak, no way to the heap. 20 000 steps
-// (100 s); a million (83 minutes of simulated time) where the environment says GLENOID_LONG=1.
+// The shoulder that ships at rest, hands still, for a long time: no drift, no leak, no way to the heap. 20
+// 000 steps (100 s); a million (83 minutes of simulated time) where the environment says GLENOID_LONG=1.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -36,13 +36,15 @@ TEST(ShoulderLongRun, staysAtRestWithoutDriftLeakOrAllocation) {
     worst = std::max(worst, report.residual);
     fastest = std::max(fastest, state.v.cwiseAbs().maxCoeff());
     farthest = std::max(farthest, (state.q - rest.q).cwiseAbs().maxCoeff());
-    if (i % (steps / 10) == 0) std::printf("step %7ld: fastest %.1e m/s, farthest %.1e m\n", i, fastest, farthest);
+    if (i % (steps / 10) == 0)
+      std::printf("step %7ld: fastest %.1e m/s, farthest %.1e m\n", i, fastest, farthest);
   }
   const long allocated = test::heapAllocations() - allocations, grown = test::heapBytesInUse() - bytes;
-  std::printf("fastest %.1e m/s, farthest %.1e m, residual %.1e, %ld allocations, %ld bytes grown\n", fastest, farthest, worst, allocated, grown);
+  std::printf("fastest %.1e m/s, farthest %.1e m, residual %.1e, %ld allocations, %ld bytes grown\n", fastest,
+              farthest, worst, allocated, grown);
   EXPECT_EQ(rejected, 0);
-  // Round-off keeps rattling at 1e-13 m/s and 1e-16 m (measured); real drift, the slightest creep of a spring or contact,
-  // would add up step by step.
+  // Round-off keeps rattling at 1e-13 m/s and 1e-16 m (measured); real drift, the slightest creep of a spring
+  // or contact, would add up step by step.
   EXPECT_LT(fastest, 1e-11);
   EXPECT_LT(farthest, 1e-12);
   EXPECT_LT(worst, 1e-13);

@@ -37,11 +37,14 @@ TriMesh ballSurface(double radius, double finest) {
   constexpr int kAround = 24;
   mesh.vertices.push_back(Vec3::Zero());
   std::vector<double> angles;
-  for (double angle = finest / radius; angle < std::numbers::pi - 0.15; angle += std::clamp(0.3 * angle, finest / radius, 0.3)) angles.push_back(angle);
+  for (double angle = finest / radius; angle < std::numbers::pi - 0.15;
+       angle += std::clamp(0.3 * angle, finest / radius, 0.3))
+    angles.push_back(angle);
   for (const double angle : angles)
     for (int s = 0; s < kAround; ++s) {
       const double around = 2 * std::numbers::pi * s / kAround;
-      mesh.vertices.push_back(radius * Vec3(std::sin(angle) * std::cos(around), 1 - std::cos(angle), std::sin(angle) * std::sin(around)));
+      mesh.vertices.push_back(radius * Vec3(std::sin(angle) * std::cos(around), 1 - std::cos(angle),
+                                            std::sin(angle) * std::sin(around)));
     }
   mesh.vertices.push_back(Vec3(0, 2 * radius, 0));
   const int rings = static_cast<int>(angles.size()), top = static_cast<int>(mesh.vertices.size()) - 1;
@@ -85,7 +88,8 @@ LadderScene hangingBar(int cells, double youngsModulus, double density) {
   tissue.poissonRatio = 0;
   tissue.density = density;
   const Vec3 low(-0.01, -0.1, -0.01), high(0.01, 0, 0.01);
-  scene.joint.parts.push_back(boxPart("plate", 1, PartKind::Rigid, Vec3(-0.02, 0, -0.02), Vec3(0.02, 0.01, 0.02)));
+  scene.joint.parts.push_back(
+      boxPart("plate", 1, PartKind::Rigid, Vec3(-0.02, 0, -0.02), Vec3(0.02, 0.01, 0.02)));
   Part bar = boxPart("bar", 2, PartKind::Soft, low, high);
   bar.visual = std::make_shared<TriMesh>(boxSurface(low, high, 4 * cells));
   bar.volume = std::make_shared<TetMesh>(boxVolume(low, high, cells, 5 * cells, cells));
@@ -100,7 +104,8 @@ LadderScene hangingBar(int cells, double youngsModulus, double density) {
 LadderScene chainAndLooseBlock() {
   LadderScene scene;
   scene.joint = figure4Joint();
-  scene.joint.parts.push_back(boxPart("loose", 4, PartKind::Soft, Vec3(-0.01, 0.022, 0.002), Vec3(0.01, 0.04, 0.018)));
+  scene.joint.parts.push_back(
+      boxPart("loose", 4, PartKind::Soft, Vec3(-0.01, 0.022, 0.002), Vec3(0.01, 0.04, 0.018)));
   scene.scenario.id = scene.scenario.name = "chain";
   scene.scenario.gravity_W.setZero();
   return scene;
@@ -109,13 +114,15 @@ LadderScene chainAndLooseBlock() {
 LadderScene bandBetweenWalls() {
   LadderScene scene = named("band");
   const Vec3 low(-0.04, -0.0025, -0.005), high(0.04, 0.0025, 0.005);
-  scene.joint.parts.push_back(boxPart("left", 1, PartKind::Rigid, Vec3(-0.06, -0.01, -0.01), Vec3(-0.04, 0.01, 0.01)));
+  scene.joint.parts.push_back(
+      boxPart("left", 1, PartKind::Rigid, Vec3(-0.06, -0.01, -0.01), Vec3(-0.04, 0.01, 0.01)));
   Part band = boxPart("band", 2, PartKind::Soft, low, high);
   band.volume = std::make_shared<TetMesh>(boxVolume(low, high, 16, 1, 2));
   band.regions.push_back(regionIn(band, "left-end", slab(0, -0.04)));
   band.regions.push_back(regionIn(band, "right-end", slab(0, 0.04)));
   scene.joint.parts.push_back(band);
-  scene.joint.parts.push_back(boxPart("right", 3, PartKind::Rigid, Vec3(0.04, -0.01, -0.01), Vec3(0.06, 0.01, 0.01)));
+  scene.joint.parts.push_back(
+      boxPart("right", 3, PartKind::Rigid, Vec3(0.04, -0.01, -0.01), Vec3(0.06, 0.01, 0.01)));
   scene.joint.couplings.push_back({"c12", "band", "left", "left-end", 1e10, 0});
   scene.joint.couplings.push_back({"c23", "band", "right", "right-end", 1e10, 0});
   scene.scenario.fixedParts = {"left", "right"};
@@ -123,19 +130,24 @@ LadderScene bandBetweenWalls() {
   return scene;
 }
 
-TetMesh gradedVolume(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z) {
-  const int nx = static_cast<int>(x.size()) - 1, ny = static_cast<int>(y.size()) - 1, nz = static_cast<int>(z.size()) - 1;
+TetMesh gradedVolume(const std::vector<double>& x, const std::vector<double>& y,
+                     const std::vector<double>& z) {
+  const int nx = static_cast<int>(x.size()) - 1, ny = static_cast<int>(y.size()) - 1,
+            nz = static_cast<int>(z.size()) - 1;
   TetMesh mesh = boxVolume(Vec3::Zero(), Vec3(nx, ny, nz), nx, ny, nz);
-  for (Vec3& node : mesh.nodes) node = Vec3(x[std::lround(node.x())], y[std::lround(node.y())], z[std::lround(node.z())]);
+  for (Vec3& node : mesh.nodes)
+    node = Vec3(x[std::lround(node.x())], y[std::lround(node.y())], z[std::lround(node.z())]);
   return mesh;
 }
 
-TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z) {
+TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y,
+                      const std::vector<double>& z) {
   const TetMesh volume = gradedVolume(x, y, z);
   // Faces of one tetrahedron only; their nodes in the order that looks outwards.
   std::map<std::array<int, 3>, std::array<int, 3>> faces;
   for (const auto& t : volume.tets)
-    for (const auto& face : {std::array{t[0], t[2], t[1]}, std::array{t[0], t[1], t[3]}, std::array{t[1], t[2], t[3]}, std::array{t[0], t[3], t[2]}}) {
+    for (const auto& face : {std::array{t[0], t[2], t[1]}, std::array{t[0], t[1], t[3]},
+                             std::array{t[1], t[2], t[3]}, std::array{t[0], t[3], t[2]}}) {
       std::array<int, 3> key = face;
       std::sort(key.begin(), key.end());
       if (!faces.erase(key)) faces[key] = face;
@@ -154,10 +166,12 @@ TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y
   return mesh;
 }
 
-LadderScene ballOnBlock(double radius, double mass, double youngsModulus, double cell, double growth, double reach) {
+LadderScene ballOnBlock(double radius, double mass, double youngsModulus, double cell, double growth,
+                        double reach) {
   LadderScene scene = named("ball");
   std::vector<double> half{0};
-  for (double step = cell; half.back() < reach; step *= half.size() > 2 ? growth : 1) half.push_back(half.back() + step);
+  for (double step = cell; half.back() < reach; step *= half.size() > 2 ? growth : 1)
+    half.push_back(half.back() + step);
   std::vector<double> across, down;
   for (auto it = half.rbegin(); it != half.rend(); ++it) across.push_back(-*it);
   down = across;
@@ -179,7 +193,8 @@ LadderScene ballOnBlock(double radius, double mass, double youngsModulus, double
   block.volume = std::make_shared<TetMesh>(gradedVolume(across, down, across));
   block.regions.push_back(regionIn(block, "bottom", slab(1, low.y())));
   scene.joint.parts.push_back(block);
-  scene.joint.parts.push_back(boxPart("plate", 3, PartKind::Rigid, low - Vec3(0, 0.01, 0), Vec3(high.x(), low.y(), high.z())));
+  scene.joint.parts.push_back(
+      boxPart("plate", 3, PartKind::Rigid, low - Vec3(0, 0.01, 0), Vec3(high.x(), low.y(), high.z())));
   scene.joint.couplings.push_back({"glue", "block", "plate", "bottom", 1e9, 0});
   scene.scenario.fixedParts = {"plate"};
   return scene;

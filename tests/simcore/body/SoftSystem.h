@@ -6,9 +6,11 @@
 
 namespace glenoid::test {
 
-/// One soft object with all nodes free and its own matrix: what tests need to ask for A and b without a scene.
+/// One soft object with all nodes free and its own matrix: what tests need to ask for A and b without a
+/// scene.
 struct SoftSystem {
-  SoftSystem(std::shared_ptr<const TetMesh> tets, const ElementTissue& tissueOfAll) : mesh(std::move(tets)), tissue(tissueOfAll) {
+  SoftSystem(std::shared_ptr<const TetMesh> tets, const ElementTissue& tissueOfAll)
+      : mesh(std::move(tets)), tissue(tissueOfAll) {
     const int nodes = static_cast<int>(mesh->nodes.size()), elements = static_cast<int>(mesh->tets.size());
     layout = {false, true, 0, 3 * nodes, 0, 3 * nodes, nodes};
     soft = SoftObject::make(layout, mesh, std::vector<ElementTissue>(elements, tissue), 0).value();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A = M − Δt ∂F/∂v − Δt² (∂F/∂q) G and b = Δt F + (M − Δt ∂F/∂v) v₀ of each kind of object against differences of F
-// and of the kinetic energy, at frozen rotations.
+// A = M − Δt ∂F/∂v − Δt² (∂F/∂q) G and b = Δt F + (M − Δt ∂F/∂v) v₀ of each kind of object against
+// differences of F and of the kinetic energy, at frozen rotations; besides, tension's stiffness against
+// turning (simcore/fem/README.md).
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -21,13 +22,15 @@ struct Shape {
 
 /// Elements of about 7 mm, turned by more than two radians and far from their rest shape.
 test::SoftSystem deformed(const Shape& shape) {
-  test::SoftSystem system(std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), Vec3(0.02, 0.015, 0.014), 2, 2, 2)),
-                          {lameFrom(5e4, 0.45), 1100, 0.7, 2e-3, 0.6});
+  test::SoftSystem system(
+      std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), Vec3(0.02, 0.015, 0.014), 2, 2, 2)),
+      {lameFrom(5e4, 0.45), 1100, 0.7, 2e-3, 0.6});
   std::mt19937 random(17);
   std::uniform_real_distribution<double> uniform(-1, 1);
   const Mat3 turn = Eigen::AngleAxisd(2.2, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   for (int node = 0; node < system.layout.nodeCount; ++node) {
-    Vec3 x = system.mesh->nodes[node] + shape.jitter * Vec3(uniform(random), uniform(random), uniform(random));
+    Vec3 x =
+        system.mesh->nodes[node] + shape.jitter * Vec3(uniform(random), uniform(random), uniform(random));
     x.z() *= shape.scaleZ;
     system.state.q.segment<3>(3 * node) = turn * x + Vec3(0.1, -0.2, 0.05);
     system.state.v.segment<3>(3 * node) = Vec3(uniform(random), uniform(random), uniform(random));
@@ -67,6 +70,27 @@ MatX stiffnessByDifferences(const test::SoftSystem& system) {
   return K;
 }
 
+/// Tension's part of every element, put together densely.
+MatX tensionPart(const test::SoftSystem& system) {
+  MatX K = MatX::Zero(system.state.q.size(), system.state.q.size());
+  for (std::size_t e = 0; e < system.mesh->tets.size(); ++e) {
+    const auto& nodes = system.mesh->tets[e];
+    Mat34 x0, x;
+    for (int i = 0; i < 4; ++i) {
+      x0.col(i) = system.mesh->nodes[nodes[i]];
+      x.col(i) = system.state.q.segment<3>(3 * nodes[i]);
+    }
+    const CorotTet tet = makeCorotTet(x0, system.tissue.lame, system.tissue.fill).value();
+    const Mat3 R = Quat(Eigen::Map<const Quat>(system.state.rotations.data() + 4 * e)).toRotationMatrix();
+    const Mat34 b = rotatedGradients(tet, R);
+    const double t = tensionStiffness(tet, deformationGradient(tet, x), R);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+        K.block<3, 3>(3 * nodes[i], 3 * nodes[j]) += tensionBlock(t, b.col(i), b.col(j));
+  }
+  return K;
+}
+
 /// M as the Hessian of the kinetic energy, exact for a quadratic: M_ij = E(e_i + e_j) − E(e_i) − E(e_j).
 MatX massByDifferences(const ContactObject& object, State state) {
   const Eigen::Index n = state.v.size();
@@ -97,7 +121,7 @@ TEST_P(SoftDerivatives, matrixAndRightHandSideAreThoseOfTheForce) {
   const MatX K = stiffnessByDifferences(system), M = massByDifferences(*system.soft, system.state);
   const double dt = settings.dt, alpha = system.tissue.massDamping, beta = system.tissue.stiffnessDamping;
   // F(q, v) = f(q) + M g − (α M + β K) v, Rayleigh's damping with the stiffness at frozen rotations.
-  const MatX expectedA = M + dt * (alpha * M + beta * K) + dt * dt * K;
+  const MatX expectedA = M + dt * (alpha * M + beta * K) + dt * dt * (K + tensionPart(system));
   const VecX weight = M * settings.gravity_W.replicate(system.layout.nodeCount, 1);
   const VecX expectedB = dt * (forceAtFrozenRotations(system, system.state.q) + weight) + M * system.state.v;
   // Differences over 1 mm of positions of 0.2 m lose three digits of sixteen.
@@ -116,12 +140,13 @@ TEST_P(SoftDerivatives, matrixIsPositiveDefinite) {
   system.assemble(settings, A, b);
   // M alone bounds the smallest eigenvalue from below: K is semi-definite in any shape.
   const MatX M = massByDifferences(*system.soft, system.state);
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatX>(A.toDense()).eigenvalues()[0], (1 - 1e-6) * M.diagonal().minCoeff());
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatX>(A.toDense()).eigenvalues()[0],
+            (1 - 1e-6) * M.diagonal().minCoeff());
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, SoftDerivatives,
-                         testing::Values(Shape{"random", 1, 2e-3}, Shape{"scattered", 1, 2e-2}, Shape{"flattened", 0, 1e-3},
-                                         Shape{"inverted", -1, 1e-3}),
+                         testing::Values(Shape{"random", 1, 2e-3}, Shape{"scattered", 1, 2e-2},
+                                         Shape{"flattened", 0, 1e-3}, Shape{"inverted", -1, 1e-3}),
                          [](const auto& shape) { return shape.param.name; });
 
 State tumbling() {
@@ -134,7 +159,8 @@ State tumbling() {
 }
 
 RigidObject slab(double massDamping) {
-  const MassProperties box = massPropertiesOf(scenes::boxSurface(Vec3(-0.05, -0.03, -0.01), Vec3(0.05, 0.03, 0.01)), 2000).value();
+  const MassProperties box =
+      massPropertiesOf(scenes::boxSurface(Vec3(-0.05, -0.03, -0.01), Vec3(0.05, 0.03, 0.01)), 2000).value();
   return RigidObject({true, true, 0, 7, 0, 6, 0}, box, massDamping, true);
 }
 
@@ -167,8 +193,8 @@ TEST(RigidDerivatives, matrixIsMassAndDragOfTheKineticEnergy) {
 }
 
 TEST(RigidDerivatives, rightHandSideIsTheForceWithGyroscopicTorqueToSecondOrder) {
-  // Without torque d(I ω)/dt = 0, so the gyroscopic force on ω is −(dI/dt) ω; differences of the momentum of the turning
-  // body give it. b takes the midpoint of the step instead of its start: the rest falls with Δt².
+  // Without torque d(I ω)/dt = 0, so the gyroscopic force on ω is −(dI/dt) ω; differences of the momentum of
+  // the turning body give it. b takes the midpoint of the step instead of its start: the rest falls with Δt².
   const auto errorAt = [](double dt) {
     const RigidSystem system(dt, 0);
     const double h = 1e-5;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patch test: whatever the tetrahedra look like, a constant strain on their boundary is a constant strain inside.
-// Source: Bazeley, Cheung, Irons and Zienkiewicz, 1965 (the test); here with a large rotation on top.
+// Patch test: whatever the tetrahedra look like, a constant strain on their boundary is a constant strain
+// inside. Source: Bazeley, Cheung, Irons and Zienkiewicz, 1965 (the test); here with a large rotation on top.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSide = 0.03;  // m
 
-/// 3×3×3 bricks of five tetrahedra with the inner nodes moved about by a third of a brick: no two elements alike.
+/// 3×3×3 bricks of five tetrahedra with the inner nodes moved about by a third of a brick: no two elements
+/// alike.
 std::shared_ptr<TetMesh> irregularPatch() {
   auto mesh = std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), kSide * Vec3::Ones(), 3, 3, 3));
   std::mt19937 random(23);
@@ -25,7 +26,9 @@ std::shared_ptr<TetMesh> irregularPatch() {
   return mesh;
 }
 
-bool isInside(const Vec3& rest) { return (rest.array() > 1e-6).all() && (rest.array() < kSide - 1e-6).all(); }
+bool isInside(const Vec3& rest) {
+  return (rest.array() > 1e-6).all() && (rest.array() < kSide - 1e-6).all();
+}
 
 struct Patch : test::SoftSystem {
   explicit Patch(double poissonRatio) : SoftSystem(irregularPatch(), {lameFrom(5e4, poissonRatio)}) {
@@ -38,10 +41,12 @@ struct Patch : test::SoftSystem {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (int node = 0; node < layout.nodeCount; ++node) state.q.segment<3>(3 * node) = F * mesh->nodes[node];
-    for (const int node : inner) state.q.segment<3>(3 * node) += scatter * Vec3(uniform(random), uniform(random), uniform(random));
+    for (const int node : inner)
+      state.q.segment<3>(3 * node) += scatter * Vec3(uniform(random), uniform(random), uniform(random));
   }
 
-  /// One static Newton step of the inner nodes, the boundary held; answers the force that was left on them, N.
+  /// One static Newton step of the inner nodes, the boundary held; answers the force that was left on them,
+  /// N.
   double relax() {
     StepSettings settings;
     settings.dt = 1;
@@ -63,7 +68,8 @@ struct Patch : test::SoftSystem {
 
   double worstError(const Mat3& F) const {
     double worst = 0;
-    for (const int node : inner) worst = std::max(worst, (state.q.segment<3>(3 * node) - F * mesh->nodes[node]).norm());
+    for (const int node : inner)
+      worst = std::max(worst, (state.q.segment<3>(3 * node) - F * mesh->nodes[node]).norm());
     return worst;
   }
 
@@ -78,11 +84,12 @@ TEST(Patch, constantStrainIsReproducedOnAnIrregularPatch) {
     for (const Mat3& F : {stretch, Mat3(turn * stretch)}) {
       Patch patch(nu);
       ASSERT_EQ(patch.inner.size(), 8u);
-      // The affine state is in equilibrium inside: what is left is round-off of the stress times the face of a cell.
+      // The affine state is in equilibrium inside: what is left is round-off of the stress times the face of
+      // a cell.
       patch.deform(F, 0);
       EXPECT_LT(patch.relax(), 1e-12 * 5e4 / (1 - 2 * nu) * 0.05 * 1e-4) << nu;
-      // And it is found from inner nodes a tenth of a cell off. Corotation is not linear: a few Newton steps at frozen
-      // rotation, each leaving about the strain's part of the error.
+      // And it is found from inner nodes a tenth of a cell off. Corotation is not linear: a few Newton steps
+      // at frozen rotation, each leaving about the strain's part of the error.
       patch.deform(F, 1e-3);
       for (int i = 0; i < 30; ++i) patch.relax();
       EXPECT_LT(patch.worstError(F), 1e-13 * kSide / (1 - 2 * nu)) << nu;

@@ -63,13 +63,15 @@ TEST(PointJacobian, ofARigidPointInATriangle) {
   state.v = VecX::LinSpaced(9, -1, 2);
   SurfaceBinding surface{std::make_shared<TriMesh>(box), bindToRigid(box.vertices, properties.centre)};
   const double weights[] = {0.2, 0.5, 0.3};
-  for (const auto& triangle : box.triangles) expectSameRow(body, pointAt(surface, true, triangle, weights), state);
+  for (const auto& triangle : box.triangles)
+    expectSameRow(body, pointAt(surface, true, triangle, weights), state);
 }
 
 /// A block of several elements, stirred, with the surface vertices that are asked for bound to it.
 struct Embedded {
   Embedded()
-      : system(std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), Vec3(0.03, 0.03, 0.03), 2, 2, 2)), {lameFrom(5e4, 0.4)}) {
+      : system(std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), Vec3(0.03, 0.03, 0.03), 2, 2, 2)),
+               {lameFrom(5e4, 0.4)}) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> uniform(-1, 1);
     for (Eigen::Index i = 0; i < system.state.q.size(); ++i) {
@@ -99,7 +101,8 @@ TEST(PointJacobian, ofANode) {
 
 TEST(PointJacobian, ofAnEmbeddedVertex) {
   const Embedded block;
-  const SurfaceBinding surface = block.bind({Vec3(0.004, 0.003, 0.006), Vec3(0.021, 0.025, 0.011), Vec3(0.034, 0.01, 0.01)});
+  const SurfaceBinding surface =
+      block.bind({Vec3(0.004, 0.003, 0.006), Vec3(0.021, 0.025, 0.011), Vec3(0.034, 0.01, 0.01)});
   for (const VertexBinding& binding : surface.vertices) {  // the last lies outside and extrapolates
     const MaterialPoint point = pointAt(binding, false);
     EXPECT_EQ(point.count, 4);
@@ -110,8 +113,10 @@ TEST(PointJacobian, ofAnEmbeddedVertex) {
 TEST(PointJacobian, ofATriangleOverThreeTetrahedra) {
   // Corners in three tetrahedra that share no node give twelve; neighbours share some, which are merged.
   const Embedded block;
-  const SurfaceBinding far = block.bind({Vec3(0.002, 0.001, 0.003), Vec3(0.028, 0.029, 0.002), Vec3(0.001, 0.028, 0.029)});
-  const SurfaceBinding near = block.bind({Vec3(0.012, 0.013, 0.011), Vec3(0.018, 0.013, 0.012), Vec3(0.013, 0.018, 0.017)});
+  const SurfaceBinding far =
+      block.bind({Vec3(0.002, 0.001, 0.003), Vec3(0.028, 0.029, 0.002), Vec3(0.001, 0.028, 0.029)});
+  const SurfaceBinding near =
+      block.bind({Vec3(0.012, 0.013, 0.011), Vec3(0.018, 0.013, 0.012), Vec3(0.013, 0.018, 0.017)});
   const int vertices[] = {0, 1, 2};
   const double weights[] = {0.25, 0.35, 0.4};
   const MaterialPoint twelve = pointAt(far, false, vertices, weights);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a coupling spring adds to A and b against differences of its force, at frozen lever arms, for every pairing of
-// soft and rigid ends.
+// What a coupling spring adds to A and b against differences of its force, at frozen lever arms, for every
+// pairing of soft and rigid ends.
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
@@ -30,9 +30,11 @@ struct Joined {
     const auto add = [&](End end, std::unique_ptr<ContactObject>& object, MaterialPoint& point, int& base) {
       ObjectLayout layout{end != End::Soft, end != End::Fixed, q, 7, v, end == End::Fixed ? 0 : 6, 0};
       if (end == End::Soft) {
-        const auto mesh = std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), 0.02 * Vec3::Ones(), 1, 1, 1));
+        const auto mesh =
+            std::make_shared<TetMesh>(scenes::boxVolume(Vec3::Zero(), 0.02 * Vec3::Ones(), 1, 1, 1));
         layout = {false, true, q, 24, v, 24, 8};
-        object = SoftObject::make(layout, mesh, std::vector<ElementTissue>(5, {lameFrom(5e4, 0.4)}), 0).value();
+        object =
+            SoftObject::make(layout, mesh, std::vector<ElementTissue>(5, {lameFrom(5e4, 0.4)}), 0).value();
         point.count = 4;
         point.node = {0, 2, 5, 7};
         point.weight = {0.1, 0.4, 0.3, 0.2};
@@ -56,7 +58,8 @@ struct Joined {
     std::uniform_real_distribution<double> uniform(-0.05, 0.05);
     state.q = VecX::NullaryExpr(q, [&] { return uniform(random); });
     for (const ContactObject* object : {a.get(), b.get()})
-      if (object->layout().rigid) state.q.segment<4>(object->layout().qOffset + 3) = Vec4(0.5, -0.3, 0.6, 0.4).normalized();
+      if (object->layout().rigid)
+        state.q.segment<4>(object->layout().qOffset + 3) = Vec4(0.5, -0.3, 0.6, 0.4).normalized();
     state.v.setZero(v);
     std::vector<std::array<int, 2>> pairs;
     appendSpringPairs(spring, state.q, pairs);
@@ -64,7 +67,9 @@ struct Joined {
     bindSpring(spring, state.q, *symbolic);
   }
 
-  Vec3 stretch(const State& at) const { return a->position(spring.pointA, at.q) - b->position(spring.pointB, at.q); }
+  Vec3 stretch(const State& at) const {
+    return a->position(spring.pointA, at.q) - b->position(spring.pointB, at.q);
+  }
 
   /// Stretch with the objects moved by h along velocity j.
   Vec3 stretchAlong(Eigen::Index j, double speed, double h) const {
@@ -105,8 +110,8 @@ TEST_P(SpringDerivatives, matrixAndRightHandSideAreThoseOfTheForce) {
 }
 
 TEST_P(SpringDerivatives, partLeftOutIsTheTurnOfTheLever) {
-  // With levers that move, F's derivative has the change of Jᵀ besides: for a rigid end at most k |r| |s|, the torque of
-  // the pull by a radian. A soft end has none.
+  // With levers that move, F's derivative has the change of Jᵀ besides: for a rigid end at most k |r| |s|,
+  // the torque of the pull by a radian. A soft end has none.
   const Pairing pairing = GetParam();
   const Joined joined(pairing);
   const double h = 1e-5;
@@ -134,7 +139,8 @@ TEST_P(SpringDerivatives, partLeftOutIsTheTurnOfTheLever) {
     }
     H.col(j) = (forceAt(minus) - forceAt(plus)) / (2 * h);
   }
-  const double lever = Vec3(0.03, -0.01, 0.02).norm(), torque = kStiffness * lever * joined.stretch(joined.state).norm();
+  const double lever = Vec3(0.03, -0.01, 0.02).norm(),
+               torque = kStiffness * lever * joined.stretch(joined.state).norm();
   const int rigidEnds = (pairing.a == End::Rigid) + (pairing.b == End::Rigid);
   // Spectral norm of [s]ᵀ[r] is at most |s||r|; two rigid ends are two separate blocks.
   EXPECT_LE((H - K).operatorNorm(), rigidEnds ? torque * (1 + 1e-6) : 1e-9 * K.norm());
@@ -142,8 +148,10 @@ TEST_P(SpringDerivatives, partLeftOutIsTheTurnOfTheLever) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ends, SpringDerivatives,
-                         testing::Values(Pairing{"softOnSoft", End::Soft, End::Soft}, Pairing{"softOnRigid", End::Soft, End::Rigid},
-                                         Pairing{"rigidOnRigid", End::Rigid, End::Rigid}, Pairing{"softOnFixed", End::Soft, End::Fixed},
+                         testing::Values(Pairing{"softOnSoft", End::Soft, End::Soft},
+                                         Pairing{"softOnRigid", End::Soft, End::Rigid},
+                                         Pairing{"rigidOnRigid", End::Rigid, End::Rigid},
+                                         Pairing{"softOnFixed", End::Soft, End::Fixed},
                                          Pairing{"fixedOnRigid", End::Fixed, End::Rigid}),
                          [](const auto& ends) { return ends.param.name; });
 

@@ -7,7 +7,8 @@
 
 namespace glenoid::test {
 
-ContactJudge::ContactJudge(const Model& model) : m_model(model), m_finder(model.collisionSurfaces, model.collisionPairs) {
+ContactJudge::ContactJudge(const Model& model)
+    : m_model(model), m_finder(model.collisionSurfaces, model.collisionPairs) {
   for (const SceneObject& object : model.objects) {
     m_positions.emplace_back(object.collision.vertices.size());
     m_velocities.emplace_back(object.collision.vertices.size());
@@ -30,8 +31,8 @@ ContactJudge::Verdict ContactJudge::judge(const State& before, const State& afte
   for (const Proximity& near : m_finder.find(positions, velocities, m_model.scenario.contactDistance, dt)) {
     const CollisionPair& pair = m_model.collisionPairs[near.pair];
     const double target = std::min(-near.gap / dt, m_model.scenario.recoverySpeedMax);
-    const double speed =
-        near.normal_W.dot(velocityOf(pair.surfaceA, near.a, before, after) - velocityOf(pair.surfaceB, near.b, before, after));
+    const double speed = near.normal_W.dot(velocityOf(pair.surfaceA, near.a, before, after) -
+                                           velocityOf(pair.surfaceB, near.b, before, after));
     const auto found = impulseOf.find(near.key);
     const double impulse = found == impulseOf.end() ? 0 : found->second;
     verdict.approach = std::max(verdict.approach, target - speed);
@@ -45,7 +46,8 @@ ContactJudge::Verdict ContactJudge::judge(const State& before, const State& afte
   return verdict;
 }
 
-Vec3 ContactJudge::velocityOf(int index, const FeaturePoint& feature, const State& before, const State& after) const {
+Vec3 ContactJudge::velocityOf(int index, const FeaturePoint& feature, const State& before,
+                              const State& after) const {
   const SceneObject& object = m_model.objects[index];
   Vec3 sum = Vec3::Zero();
   for (int i = 0; i < feature.count; ++i) {

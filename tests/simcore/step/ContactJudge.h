@@ -6,8 +6,8 @@
 
 namespace glenoid::test {
 
-/// What the contacts of a step ask for, found again from the state before it and compared with the velocities and
-/// impulses after it: nothing that the solver says of itself is believed. For scenes without friction.
+/// What the contacts of a step ask for, found again from the state before it and compared with the velocities
+/// and impulses after it: nothing that the solver says of itself is believed. For scenes without friction.
 class ContactJudge {
  public:
   explicit ContactJudge(const Model& model);

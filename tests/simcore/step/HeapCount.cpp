@@ -53,7 +53,9 @@ int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
 
 namespace glenoid::test {
 
-long heapAllocations() { return allocations; }
+long heapAllocations() {
+  return allocations;
+}
 
 bool heapIsCounted() {
 #ifdef GLENOID_COUNTS_HEAP

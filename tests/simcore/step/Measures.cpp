@@ -11,10 +11,13 @@ Vec6 momentumOf(const Model& model, const State& state) {
 
 double energyOf(const Model& model, const State& state) {
   double sum = 0;
-  for (const auto& object : model.inside->objects) sum += object->kineticEnergy(state) + object->elasticEnergy(state);
+  for (const auto& object : model.inside->objects)
+    sum += object->kineticEnergy(state) + object->elasticEnergy(state);
   for (const CouplingIslandModel& island : model.inside->islands)
     for (const BoundSpring& spring : island.springs)
-      sum += 0.5 * spring.stiffness * (spring.a->position(spring.pointA, state.q) - spring.b->position(spring.pointB, state.q)).squaredNorm();
+      sum += 0.5 * spring.stiffness *
+             (spring.a->position(spring.pointA, state.q) - spring.b->position(spring.pointB, state.q))
+                 .squaredNorm();
   return sum;
 }
 
@@ -22,7 +25,8 @@ void setInMotion(const Model& model, int object, const Vec3& linear, const Vec3&
   const ObjectLayout& layout = model.objects[object].layout;
   if (layout.rigid) state.v.segment<3>(layout.vOffset + 3) = omega;
   for (int node = 0; node < (layout.rigid ? 1 : layout.nodeCount); ++node)
-    state.v.segment<3>(layout.vOffset + 3 * node) = linear + omega.cross(state.q.segment<3>(layout.qOffset + 3 * node));
+    state.v.segment<3>(layout.vOffset + 3 * node) =
+        linear + omega.cross(state.q.segment<3>(layout.qOffset + 3 * node));
 }
 
 Eigen::VectorBlock<const VecX> positionsOf(const Model& model, int object, const State& state) {

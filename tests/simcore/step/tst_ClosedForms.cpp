@@ -11,7 +11,8 @@ namespace glenoid {
 namespace {
 
 TEST(ClosedForm, freeFallOfRigidAndSoft) {
-  // Backward Euler under constant weight: v_n = v₀ + n Δt g, x_n = x₀ + n Δt v₀ + n (n + 1)/2 Δt² g, for every node.
+  // Backward Euler under constant weight: v_n = v₀ + n Δt g, x_n = x₀ + n Δt v₀ + n (n + 1)/2 Δt² g, for
+  // every node.
   scenes::LadderScene scene = scenes::twoFallingBoxes();
   scene.scenario.dt = 5e-3;
   const auto model = compileModel(scene.joint, scene.scenario).value();
@@ -28,7 +29,8 @@ TEST(ClosedForm, freeFallOfRigidAndSoft) {
     const ObjectLayout& layout = model->objects[object].layout;
     for (int node = 0; node < (layout.rigid ? 1 : layout.nodeCount); ++node) {
       const int q = layout.qOffset + 3 * node, v = layout.vOffset + 3 * node;
-      // 200 sums of numbers of ten metres per second keep 1e-12; a soft part's solve adds cond(A) of 1e3 to each.
+      // 200 sums of numbers of ten metres per second keep 1e-12; a soft part's solve adds cond(A) of 1e3 to
+      // each.
       EXPECT_LT((state.q.segment<3>(q) - model->start.q.segment<3>(q) - way).norm(), 1e-11);
       EXPECT_LT((state.v.segment<3>(v) - v0 - t * g).norm(), 1e-11);
     }
@@ -36,8 +38,9 @@ TEST(ClosedForm, freeFallOfRigidAndSoft) {
 }
 
 TEST(ClosedForm, twoBodiesOnASpringSwingAsBackwardEulerSays) {
-  // Stretch s of a spring k between masses of reduced mass µ, ω² = k/µ: (s + i…)_n = d zⁿ with z = 1/(1 − iωΔt), so
-  // s_n = d (1 + ω²Δt²)^(−n/2) cos(n atan ωΔt): the period and the damping that the implicit step brings.
+  // Stretch s of a spring k between masses of reduced mass µ, ω² = k/µ: (s + i…)_n = d zⁿ with z = 1/(1 −
+  // iωΔt), so s_n = d (1 + ω²Δt²)^(−n/2) cos(n atan ωΔt): the period and the damping that the implicit step
+  // brings.
   const double k = 400, d = 1e-3;
   for (const double dt : {1e-3, 5e-3, 2e-2}) {
     scenes::LadderScene scene = scenes::twoBoxesOnASpring(k);
@@ -45,7 +48,8 @@ TEST(ClosedForm, twoBodiesOnASpringSwingAsBackwardEulerSays) {
     const auto model = compileModel(scene.joint, scene.scenario).value();
     State state = model->start;
     const int first = model->objects[0].layout.qOffset, second = model->objects[1].layout.qOffset;
-    const double m1 = model->objects[0].mass, m2 = model->objects[1].mass, omega = std::sqrt(k * (m1 + m2) / (m1 * m2));
+    const double m1 = model->objects[0].mass, m2 = model->objects[1].mass,
+                 omega = std::sqrt(k * (m1 + m2) / (m1 * m2));
     EXPECT_NEAR(m1, 0.032, 1e-12);
     EXPECT_NEAR(m2, 0.024, 1e-12);
     const double apart = state.q[second] - state.q[first];
@@ -57,7 +61,8 @@ TEST(ClosedForm, twoBodiesOnASpringSwingAsBackwardEulerSays) {
       stepper.step({}, state);
       s *= z;
       // Round-off of positions of centimetres, over 100 steps.
-      ASSERT_NEAR(state.q[second] - state.q[first] - apart, s.real(), 1e-11 * d) << "step " << n << " of " << dt;
+      ASSERT_NEAR(state.q[second] - state.q[first] - apart, s.real(), 1e-11 * d)
+          << "step " << n << " of " << dt;
     }
     EXPECT_LT(std::abs(s), 0.9 * d) << "the implicit step damps";
     EXPECT_LT(state.v.segment<3>(model->objects[0].layout.vOffset + 3).norm(), 1e-10) << "nothing turns";
@@ -109,12 +114,14 @@ TEST(ClosedForm, aHangingBarGrowsByRhoGLSquaredOverTwoE) {
   const double young = 5e5, density = 1000, expected = density * 9.81 * 0.1 * 0.1 / (2 * young);
   double error[3], rise = 0;
   for (int i = 0; i < 3; ++i) error[i] = elongation(1 << i, young, density, &rise) / expected - 1;
-  std::printf("hanging bar with 1, 2, 4 bricks across: off by %.1e, %.1e, %.1e\n", error[0], error[1], error[2]);
-  // Five tetrahedra load the corners of a brick unevenly, which bends the end faces: an error of the end cells alone, so
-  // it falls with their height squared.
+  std::printf("hanging bar with 1, 2, 4 bricks across: off by %.1e, %.1e, %.1e\n", error[0], error[1],
+              error[2]);
+  // Five tetrahedra load the corners of a brick unevenly, which bends the end faces: an error of the end
+  // cells alone, so it falls with their height squared.
   EXPECT_LT(std::abs(error[0]), 2e-3);
   EXPECT_NEAR(std::log2(error[0] / error[2]) / 2, 2, 0.3);
-  // What holds it gives by its weight over 1e10 N/m³ × 4 cm², evenly to the share of face that each node of the end has.
+  // What holds it gives by its weight over 1e10 N/m³ × 4 cm², evenly to the share of face that each node of
+  // the end has.
   EXPECT_NEAR(rise, density * 9.81 * 0.1 / 1e10, 0.02 * density * 9.81 * 0.1 / 1e10);
 }
 

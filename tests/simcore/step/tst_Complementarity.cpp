@@ -52,7 +52,8 @@ TEST(Complementarity, holdsAfterEveryStepOfAPress) {
         EXPECT_EQ(worst.pull, 0);
         EXPECT_EQ(worst.exhausted, 0);
         EXPECT_GT(worst.active, 8);
-        // Redundant contacts on a flat face share their load by a compliance of 1e-12 of the diagonal; speeds are 0.3 m/s.
+        // Redundant contacts on a flat face share their load by a compliance of 1e-12 of the diagonal; speeds
+        // are 0.3 m/s.
         EXPECT_LT(worst.speed, 1e-11) << static_cast<int>(profile) << ", " << dt << " s, " << young << " Pa";
       }
 }

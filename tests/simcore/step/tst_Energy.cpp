@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy of a closed system: where it never grows, and how far it does where it can. Backward Euler at frozen
-// rotation leaves out the stiffness that tension gives against turning (simcore/fem/README.md) and moves nodes along
-// tangents, so a stiff body that turns by much in a step is blown up a little in each, and a very taut one flutters.
+// The energy of a closed system: where it never grows, and how far it does where it can. Nodes move along
+// tangents, so a stiff body that turns by much in a step is blown up a little in each; what follows from that
+// is taken implicitly, with the stiffness that tension gives against turning (simcore/fem/README.md).
 #include <gtest/gtest.h>
 
 #include "tests/scenes/LadderScenes.h"
@@ -25,8 +25,9 @@ std::vector<Tissue> tissues(std::initializer_list<double> stiffness) {
 struct Growth {
   double inOneStep = 0;  ///< largest rise from one step to the next, over the energy at the start
   double ever = 0;       ///< largest energy over that at the start
-  double tangent = 0;    ///< energy after moving along the first velocities for one step, over that at the start
-  int touched = 0;       ///< steps with an active contact
+  double tangent =
+      0;            ///< energy after moving along the first velocities for one step, over that at the start
+  int touched = 0;  ///< steps with an active contact
 };
 
 enum class Start { Impact, Spin, Scattered };
@@ -44,12 +45,16 @@ Growth growthOf(const Tissue& tissue, double dt, Start kind) {
   State state = model->start;
   const ObjectLayout& loose = model->objects[3].layout;
   switch (kind) {
-    case Start::Impact: test::setInMotion(*model, 3, Vec3(0.05, -0.4, 0.02), Vec3::Zero(), state); break;
+    case Start::Impact:
+      test::setInMotion(*model, 3, Vec3(0.05, -0.4, 0.02), Vec3::Zero(), state);
+      break;
     case Start::Spin:
-      for (int object = 0; object < 4; ++object) test::setInMotion(*model, object, Vec3::Zero(), Vec3(3, 2, 10), state);
+      for (int object = 0; object < 4; ++object)
+        test::setInMotion(*model, object, Vec3::Zero(), Vec3(3, 2, 10), state);
       break;
     case Start::Scattered:  // by a third of a cell, and out of the chain's reach
-      for (int i = 0; i < loose.qSize; ++i) state.q[loose.qOffset + i] += 3e-3 * std::sin(12.9 * i) + (i % 3 == 1 ? 0.02 : 0);
+      for (int i = 0; i < loose.qSize; ++i)
+        state.q[loose.qOffset + i] += 3e-3 * std::sin(12.9 * i) + (i % 3 == 1 ? 0.02 : 0);
       break;
   }
   Stepper stepper(model, {});
@@ -71,8 +76,8 @@ Growth growthOf(const Tissue& tissue, double dt, Start kind) {
 }
 
 std::string describe(const Tissue& tissue, double dt) {
-  return "E " + std::to_string(tissue.young) + " Pa, nu " + std::to_string(tissue.poisson) + ", beta " + std::to_string(tissue.damping) + " s, dt " +
-         std::to_string(dt) + " s";
+  return "E " + std::to_string(tissue.young) + " Pa, nu " + std::to_string(tissue.poisson) + ", beta " +
+         std::to_string(tissue.damping) + " s, dt " + std::to_string(dt) + " s";
 }
 
 /// Sums over some hundred terms, and rotations found to 1e-13.
@@ -88,16 +93,19 @@ TEST(Energy, neverGrowsInAnImpactOfAnyTissueUpToFiveMilliseconds) {
 }
 
 TEST(Energy, neverGrowsInAnImpactOfSoftTissueAtTwentyMilliseconds) {
-  for (const Tissue& tissue : tissues({5e3, 5e4})) EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).inOneStep, kRoundOff) << describe(tissue, 2e-2);
+  for (const Tissue& tissue : tissues({5e3, 5e4}))
+    EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).inOneStep, kRoundOff) << describe(tissue, 2e-2);
 }
 
-TEST(Energy, staysBelowFiveTimesTheStartInAnImpactOfStiffTissueAtTwentyMilliseconds) {
-  // Measured: 4.0 at 100 MPa and ν 0.49, from the slow turning after the hit.
-  for (const Tissue& tissue : tissues({1e6, 1e8})) EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).ever, 5) << describe(tissue, 2e-2);
+TEST(Energy, neverExceedsTheStartInAnImpactOfStiffTissueAtTwentyMilliseconds) {
+  // From the hit on it may rise between two steps, by what moving along tangents puts in.
+  for (const Tissue& tissue : tissues({1e6, 1e8}))
+    EXPECT_LT(growthOf(tissue, 2e-2, Start::Impact).ever, 1) << describe(tissue, 2e-2);
 }
 
 TEST(Energy, neverExceedsTheStartFromAScatteredShape) {
-  // Far from rest it may rise between two steps (measured 2.5e-4 of the start at 20 ms) while elements flip back.
+  // Far from rest it may rise between two steps (measured 2.5e-4 of the start at 20 ms) while elements flip
+  // back.
   for (const Tissue& tissue : tissues({5e3, 5e4, 1e6, 1e8}))
     for (const double dt : {1e-3, 5e-3, 2e-2}) {
       const Growth growth = growthOf(tissue, dt, Start::Scattered);
@@ -107,29 +115,19 @@ TEST(Energy, neverExceedsTheStartFromAScatteredShape) {
 }
 
 TEST(Energy, ofASpinningChainIsBoundedByWhatMovingAlongTangentsPutsIn) {
-  // 10.6 rad/s: 0.6°, 3° and 12° a step. Positions go along tangents, so the first step already strains a body by half
-  // the square of that angle: next to nothing at 1 ms, 9000 times the start for 100 MPa and ν 0.49 at 20 ms. Without
-  // Rayleigh damping hardly more is ever there up to 5 ms; with it up to 1.42 times as much, since it takes the turning
-  // of a strained body for a rate of strain.
+  // 10.6 rad/s: 0.6°, 3° and 12° a step. Positions go along tangents, so the first step already strains a
+  // body by half the square of that angle: next to nothing at 1 ms, 9000 times the start for 100 MPa and ν
+  // 0.49 at 20 ms. More than that is never there, but for the share of Rayleigh damping, which takes the
+  // turning of a strained body for a rate of strain: measured 0.15 % at 5 kPa and 5 ms.
   for (const Tissue& tissue : tissues({5e3, 5e4, 1e6, 1e8}))
-    for (const double dt : {1e-3, 5e-3}) {
+    for (const double dt : {1e-3, 5e-3, 2e-2}) {
       const Growth growth = growthOf(tissue, dt, Start::Spin);
-      EXPECT_LT(growth.ever, (tissue.damping == 0 ? 1.002 : 1.5) * growth.tangent) << describe(tissue, dt);
+      EXPECT_LT(growth.ever, (tissue.damping == 0 ? 1.0002 : 1.003) * growth.tangent) << describe(tissue, dt);
     }
-  // At 20 ms stiff tissue stays there too, while soft tissue, which the spin strains by five per cent, gains from step to
-  // step: measured 20 times at 5 kPa and ν 0.49.
-  for (const Tissue& tissue : tissues({1e6, 1e8})) {
-    const Growth growth = growthOf(tissue, 2e-2, Start::Spin);
-    EXPECT_LT(growth.ever, 1.05 * growth.tangent) << describe(tissue, 2e-2);
-  }
-  for (const Tissue& tissue : tissues({5e3, 5e4})) {
-    const Growth growth = growthOf(tissue, 2e-2, Start::Spin);
-    EXPECT_LT(growth.ever, 25 * growth.tangent) << describe(tissue, 2e-2);
-  }
 }
 
-/// A band starts still and evenly stretched between its walls: largest energy once it has had time to rest, over the
-/// least it ever had. One where it rests.
+/// A band starts still and evenly stretched between its walls: largest energy once it has had time to rest,
+/// over the least it ever had. One where it rests.
 double restlessness(double young, double stretch, double dt) {
   scenes::LadderScene scene = scenes::bandBetweenWalls();
   scene.scenario.dt = dt;
@@ -137,7 +135,8 @@ double restlessness(double young, double stretch, double dt) {
   scene.scenario.effects.damping = Wish::Off;
   const auto model = compileModel(scene.joint, scene.scenario).value();
   State state = model->start;
-  for (const int wall : {0, 2}) state.q[model->objects[wall].layout.qOffset] += (wall ? 0.04 : -0.04) * stretch;  // band's half
+  for (const int wall : {0, 2})
+    state.q[model->objects[wall].layout.qOffset] += (wall ? 0.04 : -0.04) * stretch;  // band's half
   const ObjectLayout& band = model->objects[1].layout;
   for (int i = 0; i < band.nodeCount; ++i) state.q[band.qOffset + 3 * i] *= 1 + stretch;
   Stepper stepper(model, {});
@@ -151,24 +150,14 @@ double restlessness(double young, double stretch, double dt) {
   return most / least;
 }
 
-TEST(Energy, ofATautBandComesToRestBelowTheStretchItsStepCanHold) {
-  // Tension σ makes waves of speed √(σ/ρ), which only the bending stiffness takes implicitly. It rests to a
-  // millionth of its energy where it rests at all.
-  struct Held {
-    double young, stretch, slowest;
-  };
-  for (const Held& held : {Held{5e4, 0.01, 2e-2}, Held{1e6, 0.01, 2e-2}, Held{1e7, 0.01, 2e-2}, Held{1e8, 0.01, 2e-2}, Held{5e4, 0.05, 2e-2},
-                           Held{1e6, 0.05, 5e-3}, Held{1e7, 0.05, 1e-3}, Held{1e8, 0.05, 1e-3}})
-    for (const double dt : {1e-3, 5e-3, 2e-2})
-      EXPECT_TRUE(dt > held.slowest || restlessness(held.young, held.stretch, dt) < 1 + 1e-6) << held.young << " Pa, " << held.stretch << ", " << dt << " s";
-}
-
-TEST(Energy, ofATautBandBeyondThatIsBounded) {
-  // It flutters instead of resting; the elastic energy bounds how far. Measured: at most 13 times that at rest, at
-  // 100 MPa, 20 % and 20 ms; 1.5 times at 1 MPa, 5 % and 20 ms.
+TEST(Energy, ofATautBandComesToRestAtAnyStretchAndStep) {
+  // Tension σ makes waves of speed √(σ/ρ). Without its stiffness in A all but the small stretches flutter,
+  // with up to 13 times the energy at rest; with it the band rests to a millionth.
   for (const double young : {5e4, 1e6, 1e7, 1e8})
-    for (const double stretch : {0.05, 0.2})
-      for (const double dt : {1e-3, 5e-3, 2e-2}) EXPECT_LT(restlessness(young, stretch, dt), 15) << young << " Pa, " << stretch << ", " << dt << " s";
+    for (const double stretch : {0.01, 0.05, 0.2})
+      for (const double dt : {1e-3, 5e-3, 2e-2})
+        EXPECT_LT(restlessness(young, stretch, dt), 1 + 1e-6)
+            << young << " Pa, " << stretch << ", " << dt << " s";
 }
 
 }  // namespace

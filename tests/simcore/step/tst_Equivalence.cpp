@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same step taken in different ways: islands apart or as one system, parts in another order, another solver, another
-// instruction set, another number of threads.
+// The same step taken in different ways: islands apart or as one system, parts in another order, another
+// solver, another instruction set, another number of threads.
 #include <gtest/gtest.h>
 
 #include "simcore/linear/BlockCholesky.h"
@@ -12,9 +12,11 @@
 namespace glenoid {
 namespace {
 
-/// Chain and loose block, just before a step of their impact in which they touch, moving and deformed already.
+/// Chain and loose block, just before a step of their impact in which they touch, moving and deformed
+/// already.
 struct Touching {
-  explicit Touching(const scenes::LadderScene& scene) : model(compileModel(scene.joint, scene.scenario).value()), start(model->start) {
+  explicit Touching(const scenes::LadderScene& scene)
+      : model(compileModel(scene.joint, scene.scenario).value()), start(model->start) {
     test::setInMotion(*model, findObject("loose"), Vec3(0.05, -0.4, 0.02), Vec3(0, 0, 1), start);
     Stepper stepper(model, {});
     State now = start;
@@ -33,7 +35,8 @@ struct Touching {
   State start, state;
 };
 
-State stepped(const std::shared_ptr<const Model>& model, State state, const StepperOptions& options, int steps = 1) {
+State stepped(const std::shared_ptr<const Model>& model, State state, const StepperOptions& options,
+              int steps = 1) {
   Stepper stepper(model, options);
   for (int i = 0; i < steps; ++i) EXPECT_TRUE(stepper.step({}, state).taken);
   return state;
@@ -45,13 +48,14 @@ double difference(const Model& a, const State& x, const Model& b, const State& y
   for (std::size_t i = 0; i < a.objects.size(); ++i)
     for (std::size_t j = 0; j < b.objects.size(); ++j)
       if (a.objects[i].id == b.objects[j].id && a.objects[i].layout.vSize > 0)
-        worst = std::max(worst, (test::velocitiesOf(a, i, x) - test::velocitiesOf(b, j, y)).cwiseAbs().maxCoeff());
+        worst = std::max(worst,
+                         (test::velocitiesOf(a, i, x) - test::velocitiesOf(b, j, y)).cwiseAbs().maxCoeff());
   return worst / x.v.cwiseAbs().maxCoeff();
 }
 
 TEST(Equivalence, islandsApartEqualOneWholeSystem) {
-  // A coupling without stiffness between the loose block's top and the chain's far end makes one coupling island of the
-  // two: one factorization instead of two, one set of rows inside it instead of a row in each.
+  // A coupling without stiffness between the loose block's top and the chain's far end makes one coupling
+  // island of the two: one factorization instead of two, one set of rows inside it instead of a row in each.
   scenes::LadderScene apart = scenes::chainAndLooseBlock(), whole = apart;
   Part& loose = whole.joint.parts[3];
   loose.regions.push_back(scenes::regionIn(loose, "top", Box3(Vec3(-1, 0.0399, -1), Vec3(1, 0.0401, 1))));
@@ -61,18 +65,22 @@ TEST(Equivalence, islandsApartEqualOneWholeSystem) {
   ASSERT_EQ(touching.model->couplingIslandCount, 2);
   ASSERT_EQ(one->couplingIslandCount, 1);
   for (const Profile profile : {Profile::Direct, Profile::Reference}) {
-    const State a = stepped(touching.model, touching.state, {profile}), b = stepped(one, touching.state, {profile});
-    // Round-off: the stiff springs that make A's condition 1e6 hardly move, so their digits are not lost to the rest.
+    const State a = stepped(touching.model, touching.state, {profile}),
+                b = stepped(one, touching.state, {profile});
+    // Round-off: the stiff springs that make A's condition 1e6 hardly move, so their digits are not lost to
+    // the rest.
     EXPECT_LT(difference(*touching.model, a, *one, b), 1e-12) << static_cast<int>(profile);
   }
 }
 
 TEST(Equivalence, orderOfPartsDoesNotMatter) {
-  // The chain's parts and the loose block in three other orders, through the whole impact. State, pattern, pairs and keys
-  // all change their order. What is left is round-off, which an impact that is not chaotic multiplies by little.
+  // The chain's parts and the loose block in three other orders, through the whole impact. State, pattern,
+  // pairs and keys all change their order. What is left is round-off, which an impact that is not chaotic
+  // multiplies by little.
   const scenes::LadderScene scene = scenes::chainAndLooseBlock();
   const Touching first(scene);
-  for (const std::array<int, 4>& order : {std::array{3, 2, 1, 0}, std::array{1, 3, 0, 2}, std::array{2, 0, 3, 1}}) {
+  for (const std::array<int, 4>& order :
+       {std::array{3, 2, 1, 0}, std::array{1, 3, 0, 2}, std::array{2, 0, 3, 1}}) {
     scenes::LadderScene other = scene;
     for (int i = 0; i < 4; ++i) other.joint.parts[i] = scene.joint.parts[order[i]];
     std::reverse(other.joint.couplings.begin(), other.joint.couplings.end());
@@ -122,9 +130,11 @@ TEST(Equivalence, threeSolversGiveOneAnswerForEveryIsland) {
     VecX b = VecX::Zero(3 * island.blockCount), rotations = touching.state.rotations;
     for (std::size_t k = 0; k < island.objects.size(); ++k) {
       const ContactObject& object = *inside.objects[island.objects[k]];
-      object.assemble(inside.settings, touching.state, island.entries[k], rotations, A, b.segment(3 * island.base[k], 3 * object.blockCount()));
+      object.assemble(inside.settings, touching.state, island.entries[k], rotations, A,
+                      b.segment(3 * island.base[k], 3 * object.blockCount()));
     }
-    for (const BoundSpring& spring : island.springs) assembleSpring(spring, inside.settings.dt, touching.state.q, A, b);
+    for (const BoundSpring& spring : island.springs)
+      assembleSpring(spring, inside.settings.dt, touching.state.q, A, b);
 
     BlockCholesky cholesky(island.symbolic);
     ReferenceCholesky cholmod(island.symbolic);
@@ -135,8 +145,9 @@ TEST(Equivalence, threeSolversGiveOneAnswerForEveryIsland) {
     CgWork work;
     const CgReport report = solveConjugateGradients(A, b, z, {1e-14, 5000}, work, true);
     ASSERT_TRUE(report.finite);
-    // CHOLMOD's is refined to round-off. Ours could be off by cond(A) · 1e-16 with cond(A) near 1e6, and is by a hundredth of
-    // that; conjugate gradients by their residual of 1e-14 times what the preconditioner leaves of the condition.
+    // CHOLMOD's is refined to round-off. Ours could be off by cond(A) · 1e-16 with cond(A) near 1e6, and is
+    // by a hundredth of that; conjugate gradients by their residual of 1e-14 times what the preconditioner
+    // leaves of the condition.
     EXPECT_LT((x - y).norm(), 1e-12 * y.norm());
     EXPECT_LT((z - y).norm(), 1e-11 * y.norm()) << report.iterations << " iterations to " << report.residual;
   }

@@ -12,9 +12,12 @@ namespace {
 constexpr double kDt = 7e-3;
 
 struct Held {
-  Held() : body(ObjectLayout{true, true, 0, 7, 0, 6, 0}, {0.05, Vec3::Zero(), 1e-4 * Mat3::Identity()}, 0.0, false) {
+  Held()
+      : body(ObjectLayout{true, true, 0, 7, 0, 6, 0}, {0.05, Vec3::Zero(), 1e-4 * Mat3::Identity()}, 0.0,
+             false) {
     state.q.resize(7);
-    setPoseAt(state.q, 0, {Vec3(0.1, 0.03, -0.02), Quat(Eigen::AngleAxisd(1.3, Vec3(1, -1, 2).normalized()))});
+    setPoseAt(state.q, 0,
+              {Vec3(0.1, 0.03, -0.02), Quat(Eigen::AngleAxisd(1.3, Vec3(1, -1, 2).normalized()))});
     state.v.setZero(6);
     spring.anchor_B = Vec3(0.01, -0.02, -0.08);
     spring.stiffness = 800;
@@ -40,7 +43,8 @@ struct Held {
     BlockMatrix matrix(symbolic);
     matrix.setZero();
     b.setZero(6);
-    assemblePoseSpring(spring, body, target, kDt, state, {symbolic->entry(0, 0), symbolic->entry(1, 1), symbolic->entry(1, 0)}, matrix, b);
+    assemblePoseSpring(spring, body, target, kDt, state,
+                       {symbolic->entry(0, 0), symbolic->entry(1, 1), symbolic->entry(1, 0)}, matrix, b);
     A = matrix.toDense();
   }
 
@@ -57,7 +61,9 @@ struct Held {
     const double h = 1e-5;
     MatX J = MatX::Zero(6, 6);
     for (int j = 0; j < 6; ++j)
-      J.col(j).head<3>() = (body.pose(moved(j, 1, h)) * spring.anchor_B - body.pose(moved(j, -1, h)) * spring.anchor_B) / (2 * h);
+      J.col(j).head<3>() =
+          (body.pose(moved(j, 1, h)) * spring.anchor_B - body.pose(moved(j, -1, h)) * spring.anchor_B) /
+          (2 * h);
     J.block<3, 3>(3, 3).setIdentity();  // ω itself
     return J;
   }
@@ -67,7 +73,9 @@ struct Held {
     const double h = 1e-5;
     MatX slope(6, 6);
     for (int j = 0; j < 6; ++j)
-      slope.col(j) = (springWrench(spring, body, target, moved(j, -1, h)) - springWrench(spring, body, target, moved(j, 1, h))) / (2 * h);
+      slope.col(j) = (springWrench(spring, body, target, moved(j, -1, h)) -
+                      springWrench(spring, body, target, moved(j, 1, h))) /
+                     (2 * h);
     return slope;
   }
 
@@ -89,7 +97,8 @@ TEST(PoseSpringDerivatives, matrixIsThatOfTheWrenchNearTheTarget) {
   VecX b;
   held.assemble(target, A, b);
   const MatX J = held.jacobian();
-  const MatX expected = J.transpose() * (kDt * kDt * held.wrenchSlope(target) + kDt * (damping(held.spring).asDiagonal() * J));
+  const MatX expected =
+      J.transpose() * (kDt * kDt * held.wrenchSlope(target) + kDt * (damping(held.spring).asDiagonal() * J));
   // Differences over 2e-5 of a rotation vector near zero keep ten digits.
   EXPECT_LT((A - expected).norm(), 1e-9 * expected.norm());
 }
@@ -108,8 +117,9 @@ TEST(PoseSpringDerivatives, rightHandSideIsTheWrenchWithTheTargetsMotion) {
 }
 
 TEST(PoseSpringDerivatives, farFromTheTargetTheMatrixIsOnTheSafeSide) {
-  // The rotation vector θ of the error changes by less than ω across its axis: −∂θ/∂ω has the eigenvalues 1 and
-  // (θ/2)/tan(θ/2) ± iθ/2. A takes 1 for all: stiffer than the spring, so never unstable. Along θ it is exact.
+  // The rotation vector θ of the error changes by less than ω across its axis: −∂θ/∂ω has the eigenvalues 1
+  // and (θ/2)/tan(θ/2) ± iθ/2. A takes 1 for all: stiffer than the spring, so never unstable. Along θ it is
+  // exact.
   const Held held;
   for (const double turn : {0.3, 1.0, 2.5}) {
     const PoseTarget target = held.targetAt(Vec3::Zero(), turn);
