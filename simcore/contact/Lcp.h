@@ -12,7 +12,8 @@ namespace glenoid {
 struct LcpLimits {
   int sweeps = 10;            ///< projected Gauss–Seidel before pivoting
   int pivots = 40;            ///< principal pivots; 0: PGS alone
-  int lastSweeps = 200;       ///< PGS where pivoting runs out
+  int activeSetSteps = 20;    ///< where pivoting runs out: so many, and three a row
+  int lastSweeps = 200;       ///< PGS where that does not end either
   double compliance = 1e-12;  ///< added to the diagonal, relative to it: mends exact duplicates
 };
 
@@ -31,8 +32,9 @@ struct LcpWork {
 };
 
 /// λ: first guess in, answer out. Every answer is finite and not negative.
-/// PGS gives a guess of the active set, block principal pivoting makes it exact; where that runs out (many
-/// dependent rows), the best PGS answer stays and the report says so.
+/// PGS gives a guess of the active set, block principal pivoting makes it exact; where that cycles (many dependent
+/// rows), a primal active set goes on from the guess; where that ends at a dependent row too, PGS has the last word
+/// and the report says so.
 /// Source: Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone linear
 /// complementarity problems", Computers & Operations Research 21 (1994).
 LcpReport solveLcp(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& d, Eigen::Ref<VecX> lambda,

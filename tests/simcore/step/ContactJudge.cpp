@@ -27,12 +27,17 @@ ContactJudge::Verdict ContactJudge::judge(const State& before, const State& afte
   std::map<std::uint64_t, double> impulseOf;
   for (const State::Impulse& kept : after.impulses) impulseOf[kept.key] = kept.value;
   const double dt = m_model.scenario.dt;
+  // The solved velocities: a rigid body's ω changes while it turns, so that turn is taken back.
+  State solved = after;
+  solved.v = -solved.v;
+  for (const auto& object : m_model.inside->objects) object->advance(dt, solved);
+  solved.v = -solved.v;
   Verdict verdict;
   for (const Proximity& near : m_finder.find(positions, velocities, m_model.scenario.contactDistance, dt)) {
     const CollisionPair& pair = m_model.collisionPairs[near.pair];
     const double target = std::min(-near.gap / dt, m_model.scenario.recoverySpeedMax);
-    const double speed = near.normal_W.dot(velocityOf(pair.surfaceA, near.a, before, after) -
-                                           velocityOf(pair.surfaceB, near.b, before, after));
+    const double speed = near.normal_W.dot(velocityOf(pair.surfaceA, near.a, before, solved) -
+                                           velocityOf(pair.surfaceB, near.b, before, solved));
     const auto found = impulseOf.find(near.key);
     const double impulse = found == impulseOf.end() ? 0 : found->second;
     verdict.approach = std::max(verdict.approach, target - speed);

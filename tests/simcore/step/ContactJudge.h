@@ -18,6 +18,7 @@ class ContactJudge {
     double both = 0;      ///< worst |J v − c| over rows with λ > 0, m/s: they must just touch
     int rows = 0, active = 0;
   };
+  /// Of a step that was not cut into parts.
   Verdict judge(const State& before, const State& after);
 
  private:

@@ -13,6 +13,7 @@ struct Worst {
   double pull = 0;   ///< N·s
   int active = 0;
   long exhausted = 0;
+  int judged = 0, steps = 0;  ///< of all steps those in which the judge saw every contact
 };
 
 /// A soft block falls on a plate and a finger presses it down by 15 mm and lets go.
@@ -27,15 +28,18 @@ Worst pressABlock(Profile profile, double dt, double young) {
   State state = model->start;
   Inputs hands{{scenario.tools[0].home}};
   Worst worst;
-  const int steps = profile == Profile::Reference ? 40 : 300;
+  const int steps = worst.steps = profile == Profile::Reference ? 40 : 300;
   for (int i = 0; i < steps; ++i) {
     hands.hands[0].p_WB.y() = 0.0425 - 0.0175 * std::sin(M_PI * i / steps);
     const State before = state;
     const StepReport& report = stepper.step(hands, state);
     EXPECT_TRUE(report.taken);
+    EXPECT_EQ(report.parts, 1);
     const auto verdict = judge.judge(before, state);
-    EXPECT_EQ(verdict.rows, report.contacts + report.droppedRows);
-    EXPECT_EQ(verdict.active, report.active);
+    // A step that searched again along the motion that it takes holds contacts that the judge does not look for.
+    EXPECT_LE(verdict.rows, report.contacts + report.droppedRows);
+    EXPECT_LE(verdict.active, report.active);
+    worst.judged += verdict.rows == report.contacts + report.droppedRows;
     worst.speed = std::max({worst.speed, verdict.approach, verdict.both});
     worst.pull = std::max(worst.pull, verdict.pull);
     worst.active = std::max(worst.active, verdict.active);
@@ -52,6 +56,7 @@ TEST(Complementarity, holdsAfterEveryStepOfAPress) {
         EXPECT_EQ(worst.pull, 0);
         EXPECT_EQ(worst.exhausted, 0);
         EXPECT_GT(worst.active, 8);
+        EXPECT_GT(worst.judged, worst.steps / 2);
         // Redundant contacts on a flat face share their load by a compliance of 1e-12 of the diagonal; speeds
         // are 0.3 m/s.
         EXPECT_LT(worst.speed, 1e-11) << static_cast<int>(profile) << ", " << dt << " s, " << young << " Pa";
