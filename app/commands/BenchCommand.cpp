@@ -8,6 +8,7 @@
 #include "app/commands/Console.h"
 #include "app/commands/JsonObject.h"
 #include "app/commands/OpenScene.h"
+#include "app/commands/PeerSection.h"
 #include "app/commands/TableText.h"
 #include "simcore/live/BuildId.h"
 #include "simcore/scene/JointFile.h"
@@ -25,7 +26,11 @@ struct Wishes {
 };
 
 /// Every section, ours first. A section that compares with another program belongs here, after simcore's.
-std::vector<BenchSection> allSections() { return benchSections(); }
+std::vector<BenchSection> allSections() {
+  std::vector<BenchSection> sections = benchSections();
+  sections.push_back(peerSection());
+  return sections;
+}
 
 std::string titleOf(const std::string& id) {
   if (id == "states") return "States: steps of the shipped input, by number of contacts";
@@ -33,6 +38,7 @@ std::string titleOf(const std::string& id) {
   if (id == "stages") return "Stages of these steps, median, ms";
   if (id == "friction") return "Friction: the same states with Coulomb's law";
   if (id == "growth") return "Growth: the same joint in finer cells";
+  if (id == "peers") return "Peers: seven blocks, a ridge and a ball, in ours and in Bullet; thread CPU time of whole steps";
   return id;
 }
 
@@ -110,7 +116,7 @@ void addBenchCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("bench", "Measure what a step costs on this machine (up to ten minutes)");
   command->add_flag("--json", wishes->json, "Print the tables as JSON");
   command->add_flag("--quick", wishes->quick, "Fewer repetitions and no 75 000 tetrahedra: a minute or two");
-  command->add_option("--sections", wishes->sections, "Only these: profiles, friction, growth")->delimiter(',');
+  command->add_option("--sections", wishes->sections, "Only these: profiles, friction, growth, peers")->delimiter(',');
   command->add_flag("--smallest", wishes->smallest, "For tests")->group("");
   command->callback([wishes, &status] {
     const Result<Done> done = bench(*wishes);

@@ -89,6 +89,8 @@ RunGather::RunGather(const Model& model, const Recording* input, long steps, Pro
 void RunGather::add(const StepReport& step, double time) {
   ++m_steps;
   if (!step.taken) ++m_rejected;
+  if (step.parts > 1) ++m_cut;
+  m_refusedHands += step.refusedHands;
   m_contacts += step.contacts;
   m_active += step.active;
   m_contactMax = std::max(m_contactMax, step.contacts);
@@ -151,6 +153,8 @@ void RunGather::finish(RunReport& report) {
   report.steps = m_steps;
   report.seconds = static_cast<double>(m_steps) * m_dt;
   report.rejectedSteps = m_rejected;
+  report.cutSteps = m_cut;
+  report.refusedHands = m_refusedHands;
   report.pivotsExhausted = m_pivotsExhausted;
   report.residual = m_residual;
   report.complementarity = m_complementarity;

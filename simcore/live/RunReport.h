@@ -82,6 +82,8 @@ struct RunReport {
   std::string scenario, profile, solver, build, isa, jointHash, stateHash;
   double dt = 0, seconds = 0;
   long steps = 0, rejectedSteps = 0;
+  long cutSteps = 0;              ///< taken in parts, since the whole would have turned too far
+  long refusedHands = 0;          ///< inputs that were no pose of a hand
   unsigned seed = 1;
   int threads = 1;
   bool finite = true, diverged = false, realtime = false;

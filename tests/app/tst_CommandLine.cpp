@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Files, SpoiledScenario, ::testing::Values(
   Spoiled{"outOfRange", [](std::string s) { return exchanged(s, "\"dt\": 0.005", "\"dt\": -1"); }, "/dt"},
   Spoiled{"unknownPart", [](std::string s) { return exchanged(s, "\"scapula\"", "\"shinbone\""); }, "shinbone"},
   Spoiled{"noJoint", [](std::string s) { return exchanged(s, "builtin:shoulder", "builtin:ankle"); }, "ankle"}),
-  [](const auto& info) { return info.param.name; });
+  [](const auto& spoiled) { return spoiled.param.name; });
 
 }  // namespace
 }  // namespace glenoid::testing

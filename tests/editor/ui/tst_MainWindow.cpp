@@ -209,12 +209,12 @@ TEST_F(GuiTest, nothingIsDrawnWhileNothingChanges) {
   QTest::mouseMove(window.get(), QPoint(1, 1));
   settle();
   QTest::qWait(500);  // a slow renderer adds one fine picture once all is still
-  int frames = 0;
-  QObject::connect(window->view(), &SceneView::drawn, [&frames] { ++frames; });
+  int drawings = 0;
+  QObject::connect(window->view(), &SceneView::drawn, [&drawings] { ++drawings; });
   QTest::qWait(400);
-  EXPECT_EQ(frames, 0);
+  EXPECT_EQ(drawings, 0);
   link.stepOnce();
-  EXPECT_TRUE(until([&frames] { return frames > 0; }));
+  EXPECT_TRUE(until([&drawings] { return drawings > 0; }));
 }
 
 TEST_F(GuiTest, aProblemIsASentenceAboveTheView) {
