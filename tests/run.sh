@@ -1,26 +1,23 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds everything and runs every test: tests/run.sh [--quick] [--no-sanitizers] [arguments for ctest, such as -R NAME]
+# Builds everything and runs every test: tests/run.sh [--quick] [--sanitizers] [arguments for ctest, such as -R NAME]
 # --quick leaves out the tests that are labelled long. Tests with windows run on a virtual screen.
-# Then simcore's tests in their short form under the address and undefined behaviour sanitizers, and those with threads
-# under the thread sanitizer, each in a build of its own; --no-sanitizers or arguments for ctest leave that out.
+# --sanitizers goes on with simcore's tests in their short form under the address and undefined behaviour sanitizers, and
+# those with threads under the thread sanitizer, each in a build of its own (some twenty minutes more on two cores).
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../resources/packaging/prepare.sh"
 
-quick=0 sanitizers=1
+quick=0 sanitizers=0
 arguments=()
 for argument in "$@"; do
   case "$argument" in
     --quick) quick=1 ;;
-    --no-sanitizers) sanitizers=0 ;;
+    --sanitizers) sanitizers=1 ;;
     -h | --help)
       sed -n 's/^# \{0,1\}//p' "${BASH_SOURCE[0]}" | sed 1,2d
       exit 0
       ;;
-    *)
-      arguments+=("$argument")
-      sanitizers=0
-      ;;
+    *) arguments+=("$argument") ;;
   esac
 done
 without='^gui$'
@@ -46,8 +43,8 @@ if [ "$(count "${tests[@]}" "${window[@]}")" -gt 0 ]; then
   ran=1
   QT_QPA_PLATFORM=xcb xvfb-run -a -s "-screen 0 1600x1000x24" "${tests[@]}" "${window[@]}" </dev/null || failed=1
 fi
-# sanitized PRESET TARGET LABEL: builds one target by a preset and runs the short tests of a label there.
-sanitized() {
+
+sanitized() {  # PRESET TARGET LABEL: builds one target by a preset and runs the short tests of a label there
   local build=$glenoid_root/build/$1
   if [ ! -f "$build/build.ninja" ]; then
     (cd "$glenoid_root" && cmake --preset "$1" -DGLENOID_TESTS=ON) >&2 || return 1
