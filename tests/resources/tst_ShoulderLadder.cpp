@@ -11,6 +11,7 @@
 #include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "tests/simcore/step/ContactJudge.h"
+#include "tests/simcore/step/Measures.h"
 
 namespace glenoid {
 namespace {
@@ -138,16 +139,7 @@ TEST(ShoulderLadder, threeSolversGiveOneAnswer) {
   for (int i = 0; i < 100; ++i) run.step();
   const StepModel& inside = *run.model->inside;
   for (const CouplingIslandModel& island : inside.islands) {
-    BlockMatrix A(island.symbolic);
-    A.setZero();
-    VecX b = VecX::Zero(3 * island.blockCount), rotations = run.state.rotations;
-    for (std::size_t k = 0; k < island.objects.size(); ++k) {
-      const ContactObject& object = *inside.objects[island.objects[k]];
-      object.assemble(inside.settings, run.state, island.entries[k], rotations, A,
-                      b.segment(3 * island.base[k], 3 * object.blockCount()));
-    }
-    for (const BoundSpring& spring : island.springs)
-      assembleSpring(spring, inside.settings.dt, run.state.q, A, b);
+    const auto [A, b] = test::systemOf(inside, island, run.state);
     BlockCholesky cholesky(island.symbolic);
     ReferenceCholesky cholmod(island.symbolic);
     ASSERT_TRUE(cholesky.factor(A) && cholmod.factor(A));

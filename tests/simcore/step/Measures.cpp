@@ -39,4 +39,18 @@ Eigen::VectorBlock<const VecX> velocitiesOf(const Model& model, int object, cons
   return state.v.segment(layout.vOffset, layout.vSize);
 }
 
+IslandSystem systemOf(const StepModel& inside, const CouplingIslandModel& island, const State& state) {
+  IslandSystem system{BlockMatrix(island.symbolic), VecX::Zero(3 * island.blockCount)};
+  system.A.setZero();
+  VecX rotations = state.rotations;
+  for (std::size_t k = 0; k < island.objects.size(); ++k) {
+    const ContactObject& object = *inside.objects[island.objects[k]];
+    object.assemble(inside.settings, state, island.entries[k], rotations, system.A,
+                    system.b.segment(3 * island.base[k], 3 * object.blockCount()));
+  }
+  for (const BoundSpring& spring : island.springs)
+    assembleSpring(spring, inside.settings.dt, state.q, system.A, system.b);
+  return system;
+}
+
 }  // namespace glenoid::test

@@ -19,4 +19,11 @@ void setInMotion(const Model& model, int object, const Vec3& linear, const Vec3&
 Eigen::VectorBlock<const VecX> positionsOf(const Model& model, int object, const State& state);
 Eigen::VectorBlock<const VecX> velocitiesOf(const Model& model, int object, const State& state);
 
+/// A and b of one coupling island: its objects and springs, without holds and hands.
+struct IslandSystem {
+  BlockMatrix A;
+  VecX b;
+};
+IslandSystem systemOf(const StepModel& inside, const CouplingIslandModel& island, const State& state);
+
 }  // namespace glenoid::test

@@ -125,17 +125,7 @@ TEST(Equivalence, threeSolversGiveOneAnswerForEveryIsland) {
   const Touching touching(scenes::chainAndLooseBlock());
   const StepModel& inside = *touching.model->inside;
   for (const CouplingIslandModel& island : inside.islands) {
-    BlockMatrix A(island.symbolic);
-    A.setZero();
-    VecX b = VecX::Zero(3 * island.blockCount), rotations = touching.state.rotations;
-    for (std::size_t k = 0; k < island.objects.size(); ++k) {
-      const ContactObject& object = *inside.objects[island.objects[k]];
-      object.assemble(inside.settings, touching.state, island.entries[k], rotations, A,
-                      b.segment(3 * island.base[k], 3 * object.blockCount()));
-    }
-    for (const BoundSpring& spring : island.springs)
-      assembleSpring(spring, inside.settings.dt, touching.state.q, A, b);
-
+    const auto [A, b] = test::systemOf(inside, island, touching.state);
     BlockCholesky cholesky(island.symbolic);
     ReferenceCholesky cholmod(island.symbolic);
     ASSERT_TRUE(cholesky.factor(A) && cholmod.factor(A));
