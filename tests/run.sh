@@ -3,7 +3,8 @@
 # Builds everything and runs every test: tests/run.sh [--quick] [--sanitizers] [arguments for ctest, such as -R NAME]
 # --quick leaves out the tests that are labelled long. Tests with windows run on a virtual screen.
 # --sanitizers goes on with simcore's tests in their short form under the address and undefined behaviour sanitizers, and
-# those with threads under the thread sanitizer, each in a build of its own (some twenty minutes more on two cores).
+# those with threads under the thread sanitizer, each in a build of its own (some twenty minutes more on two cores); what
+# continuous integration does.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../resources/packaging/prepare.sh"
 

@@ -50,11 +50,12 @@ bool isFlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return !((b - a).cross(c - a).norm() > 1e-10 * longest);
 }
 
-std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh) {
+std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh, bool deforms) {
   auto surface = std::make_shared<CollisionSurface>();
   surface->vertexCount = static_cast<int>(mesh.vertices.size());
   surface->triangles = mesh.triangles;
   surface->restVertices = mesh.vertices;
+  surface->deforms = deforms;
 
   surface->empty = emptyTriangles(mesh);
 

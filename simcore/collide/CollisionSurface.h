@@ -40,6 +40,7 @@ struct CollisionSurface {
   };
 
   int vertexCount = 0;
+  bool deforms = false;                           ///< its edges may bend, so what is flat now may be dented next
   bool closed = false;                            ///< every edge has exactly two triangles, wound alike
   std::vector<std::array<int, 3>> triangles;      ///< indices of vertices
   std::vector<Edge> edges;                        ///< ascending by their vertices
@@ -63,7 +64,7 @@ struct CollisionSurface {
 bool isFlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Indices must lie inside the mesh (MeshHealth says so); anything else is a bug of the caller.
-std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh);
+std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh, bool deforms = false);
 
 /// Two different surfaces that may touch, by their index in the list of surfaces. Triangles marked in a skip
 /// set take no part: coupling regions, where the parts are glued, and perforations by a portal. A vertex or

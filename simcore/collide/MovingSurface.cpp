@@ -11,6 +11,9 @@
 namespace glenoid {
 namespace {
 
+/// Cosine of the angle between the faces beside an edge above which it is sharp.
+constexpr double kSharp = 0.866;
+
 BoxTree restTree(const CollisionSurface& surface) {
   std::vector<Box3> boxes(surface.triangles.size());
   for (std::size_t t = 0; t < boxes.size(); ++t) {
@@ -35,8 +38,8 @@ MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
   m_margin.resize(triangles);
   m_hasFace.resize(triangles);
   m_lanes.resize(triangles);
-  m_convex.resize(m_topology->edges.size());
-  m_convexEdges.resize(triangles);
+  m_bend.resize(m_topology->edges.size());
+  m_bends.resize(triangles);
   m_vertexNormal.resize(m_topology->vertexCount);
   m_vertexNormalStep.assign(m_topology->vertexCount, -1);
 }
@@ -95,16 +98,23 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
   for (std::size_t e = 0; e < s.edges.size(); ++e) {
     const CollisionSurface::Edge& edge = s.edges[e];
     if (edge.triangles[1] < 0) {
-      m_convex[e] = 0;
+      m_bend[e] = Bend::None;
       continue;
     }
     const Vec3 away = m_x[edge.opposite[1]] - m_x[edge.vertices[0]];
     const double above = m_faceNormal[edge.triangles[0]].dot(away);
-    m_convex[e] = above < 0 && above * above > 1e-6 * away.squaredNorm();
+    const bool convex = above < 0 && above * above > 1e-6 * away.squaredNorm();
+    const bool sharp = convex && m_faceNormal[edge.triangles[0]].dot(m_faceNormal[edge.triangles[1]]) < kSharp;
+    m_bend[e] = sharp ? Bend::Sharp : convex ? Bend::Convex : s.deforms ? Bend::Dentable : Bend::None;
   }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    const auto [i, j, k] = s.triangleEdges[t];
-    m_convexEdges[t] = static_cast<std::uint8_t>(m_convex[i] | m_convex[j] << 1 | m_convex[k] << 2);
+    Bends& bends = m_bends[t] = {};
+    for (int k = 0; k < 3; ++k) {
+      const Bend bend = m_bend[s.triangleEdges[t][k]];
+      bends.convex |= static_cast<std::uint8_t>((bend >= Bend::Convex) << k);
+      bends.sharp |= static_cast<std::uint8_t>((bend == Bend::Sharp) << k);
+      bends.dentable |= static_cast<std::uint8_t>((bend == Bend::Dentable) << k);
+    }
   }
 }
 

@@ -50,10 +50,16 @@ class MovingSurface {
   const Lanes& lanes(int triangle) const { return m_lanes[triangle]; }
   /// Bound on what single precision does to a height over a plane and to a coordinate, m.
   float laneSlack() const { return m_laneSlack; }
-  /// The faces beside the edge bend away from it by more than about 0.06°.
-  bool convex(int edge) const { return m_convex[edge] != 0; }
-  /// Bit k: the triangle's edge k is convex.
-  std::uint8_t convexEdges(int triangle) const { return m_convexEdges[triangle]; }
+  /// How the faces beside an edge bend away from it. Convex: by more than about 0.06°; sharp: by more than 30°.
+  /// Dentable: neither, and the surface deforms. The rest, open edges too, plays no part of its own.
+  enum class Bend : std::uint8_t { None, Dentable, Convex, Sharp };
+  Bend bend(int edge) const { return m_bend[edge]; }
+  /// Bit k is of the triangle's edge k.
+  struct Bends {
+    std::uint8_t convex = 0;  ///< sharp ones too
+    std::uint8_t sharp = 0, dentable = 0;
+  };
+  const Bends& bends(int triangle) const { return m_bends[triangle]; }
 
   /// Pseudo-normals, not unit. Source: Bærentzen and Aanæs, IEEE TVCG 11(3), 2005.
   Vec3 edgeNormal(int edge) const;
@@ -90,8 +96,9 @@ class MovingSurface {
   std::vector<double> m_faceOffset, m_margin;
   std::vector<Lanes> m_lanes;
   float m_laneSlack = 0;
-  std::vector<char> m_hasFace, m_convex;
-  std::vector<std::uint8_t> m_convexEdges;
+  std::vector<char> m_hasFace;
+  std::vector<Bend> m_bend;
+  std::vector<Bends> m_bends;
   std::vector<Vec3> m_vertexNormal;
   std::vector<long> m_vertexNormalStep;
   long m_step = 0;

@@ -2,127 +2,12 @@
 #include "simcore/collide/PairSearch.h"
 
 #include <algorithm>
-#include <cmath>
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
-#include "simcore/collide/FeatureKey.h"
+#include "simcore/collide/FeaturePoints.h"
+#include "simcore/collide/TriangleView.h"
 #include "simcore/spatial/Intersect.h"
-#include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {
-namespace {
-
-/// Distances below this are taken as touching: the direction between two points says nothing any more. m.
-constexpr double kTouching = 1e-9;
-/// Two constraints of one vertex whose feet are nearer than this are the same contact on two features. m.
-constexpr double kSameFoot = 1e-6;
-/// Slack of the Voronoi test, m²: far below (edge length) × (contact distance), far above rounding.
-constexpr double kVoronoiSlack = 1e-12;
-/// A vertex whose own normal points along the contact normal more than this lies on the far side of its body.
-constexpr double kFarSide = 0.5;
-/// Squared sine of the angle below which two edges are parallel: their ends say it better.
-constexpr double kParallel = 1e-6;
-/// Two crossed edges must be at least this share of their overlap below the other's surface.
-constexpr double kWedge = 0.4;
-/// Sine of the angle by which two faces must rise toward each other to make a valley.
-constexpr double kValley = 1e-3;
-
-FeaturePoint vertexPoint(int vertex) {
-  FeaturePoint point;
-  point.vertex = {vertex, vertex, vertex};
-  return point;
-}
-
-FeaturePoint edgePoint(const CollisionSurface::Edge& edge, double t) {
-  FeaturePoint point;
-  point.count = 2;
-  point.vertex = {edge.vertices[0], edge.vertices[1], edge.vertices[1]};
-  point.weight = {1 - t, t, 0};
-  return point;
-}
-
-/// The corners that carry the point, in the triangle's order.
-FeaturePoint trianglePoint(const std::array<int, 3>& triangle, const Vec3& w) {
-  FeaturePoint point;
-  point.count = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (!(w[k] > 0)) continue;
-    point.vertex[point.count] = triangle[k];
-    point.weight[point.count++] = w[k];
-  }
-  for (int k = point.count; k < 3; ++k) {
-    point.vertex[k] = point.vertex[point.count - 1];
-    point.weight[k] = 0;
-  }
-  return point;
-}
-
-Vec3 velocityOf(const MovingSurface& surface, int motion, const FeaturePoint& point) {
-  Vec3 v = Vec3::Zero();
-  for (int k = 0; k < point.count; ++k) v += point.weight[k] * surface.v(motion, point.vertex[k]);
-  return v;
-}
-
-/// How the corners of a triangle lie over the plane of another one, a bit for each lane.
-struct PlaneView {
-  int high, low;      ///< above `high`, below −`low`
-  int near;           ///< no further than `high` on either side
-  int above, below;   ///< certainly on one side
-  bool beyond() const { return high == 15 || low == 15; }
-  bool crosses() const { return above != 15 && below != 15; }
-};
-
-PlaneView viewOver(const MovingSurface::Lanes& corners, const MovingSurface::Lanes& plane, float high, float low, float slack) {
-#ifdef __SSE2__
-  const __m128 x = _mm_mul_ps(_mm_load_ps(corners.x.data()), _mm_set1_ps(plane.normal[0]));
-  const __m128 y = _mm_mul_ps(_mm_load_ps(corners.y.data()), _mm_set1_ps(plane.normal[1]));
-  const __m128 z = _mm_mul_ps(_mm_load_ps(corners.z.data()), _mm_set1_ps(plane.normal[2]));
-  const __m128 height = _mm_sub_ps(_mm_add_ps(_mm_add_ps(x, y), z), _mm_set1_ps(plane.offset));
-  const auto over = [&](float limit) { return _mm_movemask_ps(_mm_cmpgt_ps(height, _mm_set1_ps(limit))); };
-  const auto under = [&](float limit) { return _mm_movemask_ps(_mm_cmplt_ps(height, _mm_set1_ps(limit))); };
-  const int beyond = over(high);
-  return {beyond, under(-low), 15 & ~(beyond | under(-high)), over(slack), under(-slack)};
-#else
-  PlaneView view{0, 0, 0, 0, 0};
-  for (int lane = 0; lane < 4; ++lane) {
-    const float height = corners.x[lane] * plane.normal[0] + corners.y[lane] * plane.normal[1] +
-                         corners.z[lane] * plane.normal[2] - plane.offset;
-    view.high |= (height > high) << lane;
-    view.low |= (height < -low) << lane;
-    view.near |= (height <= high && height >= -high) << lane;
-    view.above |= (height > slack) << lane;
-    view.below |= (height < -slack) << lane;
-  }
-  return view;
-#endif
-}
-
-/// Whether two triangles' own boxes lie apart; the nodes' boxes are wider by margins that add up to `reach`.
-bool boxesApart(const BoxTree::Node& a, const BoxTree::Node& b, float reach) {
-#ifdef __SSE2__
-  // The fourth lane holds child numbers and is not looked at.
-  const __m128 wide = _mm_set1_ps(reach);
-  const __m128 left = _mm_cmpgt_ps(_mm_add_ps(_mm_load_ps(a.low.data()), wide), _mm_load_ps(b.high.data()));
-  const __m128 right = _mm_cmpgt_ps(_mm_add_ps(_mm_load_ps(b.low.data()), wide), _mm_load_ps(a.high.data()));
-  return (_mm_movemask_ps(_mm_or_ps(left, right)) & 7) != 0;
-#else
-  bool apart = false;
-  for (int k = 0; k < 3; ++k) apart |= (a.low[k] + reach > b.high[k]) | (b.low[k] + reach > a.high[k]);
-  return apart;
-#endif
-}
-
-bool isValley(const MovingSurface& surface, int e) {
-  const CollisionSurface::Edge& edge = surface.topology().edges[e];
-  if (edge.triangles[1] < 0) return false;
-  const Vec3 away = surface.x(edge.opposite[1]) - surface.x(edge.vertices[0]);
-  return surface.faceNormal(edge.triangles[0]).dot(away) > kValley * away.norm();
-}
-
-}  // namespace
 
 void PairSearch::prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners) {
   side.surface = &surface;
@@ -174,10 +59,14 @@ void PairSearch::trianglePair(int ta, int tb) {
   // thresholds that its errors cannot cross: is there a feature to try or can the triangles meet at all, and is one
   // wholly on one side of the other's plane and far from it?
   const float slack = 2 * std::max(a.laneSlack(), b.laneSlack());
-  const int edgesA = ownA >> 3 & a.convexEdges(ta), edgesB = ownB >> 3 & b.convexEdges(tb);
+  const MovingSurface::Bends &bendsA = a.bends(ta), &bendsB = b.bends(tb);
+  const int convexA = ownA >> 3 & bendsA.convex, convexB = ownB >> 3 & bendsB.convex;
+  const int sharpA = convexA & bendsA.sharp, sharpB = convexB & bendsB.sharp;
+  const int softA = ownA >> 3 & bendsA.dentable, softB = ownB >> 3 & bendsB.dentable;
+  const bool edges = (convexA && convexB) || (sharpA && softB) || (softA && sharpB);
   const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
                                     static_cast<float>(reach) - slack);
-  if (!meetable && !((ownA | ownB) & 7) && !(edgesA && edgesB)) return;
+  if (!meetable && !((ownA | ownB) & 7) && !edges) return;
   const float high = static_cast<float>(reach) + slack, low = static_cast<float>(behind) + slack;
   const PlaneView overB = viewOver(a.lanes(ta), b.lanes(tb), high, low, slack);
   if (overB.beyond()) return;
@@ -190,11 +79,11 @@ void PairSearch::trianglePair(int ta, int tb) {
     if ((verticesA >> k & 1) && std::abs(b.height(tb, a.x(ia[k]))) <= reach) vertexNearTriangle(m_a, m_b, ia[k], tb);
     if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
   }
-  for (int i = 0; i < 3 && edgesB; ++i) {
-    if (!(edgesA >> i & 1)) continue;
+  for (int i = 0; i < 3 && edges; ++i) {
+    const int partners = ((convexA >> i & 1) ? convexB : 0) | ((sharpA >> i & 1) ? softB : 0) | ((softA >> i & 1) ? sharpB : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
-      if (edgesB >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
+      if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
   }
   if (meetable && overB.crosses() && overA.crosses() &&
       trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
@@ -217,253 +106,6 @@ bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first
   }
   const double ahead = (closingA + closingB) * m_settings.dt;
   return gap < m_settings.contactDistance + std::clamp(ahead, 0.0, m_limits.lookAhead);
-}
-
-/// Whether no point of the surface beside the feature is nearer than the foot, `away` being the way from it.
-bool PairSearch::nearestLocally(const MovingSurface& surface, const MovingSurface::Feature& feature,
-                                const Vec3& foot, const Vec3& away) const {
-  const CollisionSurface& s = surface.topology();
-  if (feature.kind == FeatureKind::Edge) {
-    for (const int v : s.edges[feature.id].opposite) {
-      if (v >= 0 && away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
-    }
-  } else if (feature.kind == FeatureKind::Vertex) {
-    for (const int e : s.edgesOf(feature.id)) {
-      const auto& ends = s.edges[e].vertices;
-      const int v = ends[0] == feature.id ? ends[1] : ends[0];
-      if (away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
-    }
-  }
-  return true;
-}
-
-void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle) {
-  ++m_counts->vertexFace;
-  MovingSurface& surface = *other.surface;
-  if (!surface.hasFace(triangle)) return;
-  const Vec3& p = mine.surface->x(vertex);
-  const auto [i, j, k] = surface.topology().triangles[triangle];
-  const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
-  const MovingSurface::Feature feature = surface.featureOf(triangle, w);
-  if (feature.kind == FeatureKind::Face) {
-    const double gap = surface.height(triangle, p);
-    if (gap < 0) return suspect(mine, vertex);
-    return emitVertex(mine, other, vertex, triangle, w, feature, surface.faceNormal(triangle), gap);
-  }
-  const Vec3 foot = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
-  const Vec3 away = p - foot;
-  const double distance = away.norm();
-  if (distance > m_settings.contactDistance + m_limits.lookAhead) return;
-  const std::uint8_t own = other.owners->ofTriangle[triangle];
-  const auto& corners = surface.topology().triangles[triangle];
-  const auto& sides = surface.topology().triangleEdges[triangle];
-  const auto& ids = feature.kind == FeatureKind::Edge ? sides : corners;
-  const int place = ids[0] == feature.id ? 0 : (ids[1] == feature.id ? 1 : 2);
-  if (!(own >> (place + (feature.kind == FeatureKind::Edge ? 3 : 0)) & 1)) return;
-  if (!nearestLocally(surface, feature, foot, away)) return;
-  const Vec3 pseudo = surface.normalOf(feature);
-  if (distance < kTouching) {
-    if (pseudo.isZero(0)) return;
-    return emitVertex(mine, other, vertex, triangle, w, feature, pseudo.stableNormalized(), 0);
-  }
-  if (away.dot(pseudo) < 0) return suspect(mine, vertex);
-  emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
-}
-
-/// Outside: the vertex must be near and not on the far side of its own body. Inside (gap < 0): always.
-void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
-                            const MovingSurface::Feature& feature, const Vec3& outward, double gap) {
-  const bool first = &mine == &m_a;
-  Proximity contact;
-  contact.pair = m_settings.pair;
-  FeaturePoint& own = first ? contact.a : contact.b;
-  FeaturePoint& foot = first ? contact.b : contact.a;
-  own = vertexPoint(vertex);
-  foot = trianglePoint(other.surface->topology().triangles[triangle], barycentric);
-  contact.normal_W = first ? outward : Vec3(-outward);
-  contact.gap = gap;
-  if (gap >= 0) {
-    if (!near(gap, outward, *mine.surface, own, *other.surface, foot)) return;
-    const Vec3& normal = mine.surface->vertexNormal(vertex);
-    if (normal.dot(outward) > kFarSide * normal.norm()) return;
-  }
-  contact.key =
-      first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
-            : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
-
-  if (feature.kind == FeatureKind::Edge && isValley(*other.surface, feature.id)) {
-    // At the bottom of a valley the direction to the edge is that of neither face, and rounding if they touch.
-    for (const int t : other.surface->topology().edges[feature.id].triangles) emitPlane(mine, other, vertex, t, 1);
-    return;
-  }
-  if (feature.kind == FeatureKind::Face) acrossValleys(mine, other, vertex, triangle);
-
-  // Where faces meet almost flat, rounding lets two features claim the same foot: the lower key stays.
-  if (mine.chainMark[vertex] != m_mark) {
-    mine.chainMark[vertex] = m_mark;
-    mine.chain[vertex] = -1;
-  }
-  const auto footPosition = [&](const FeaturePoint& point) {
-    Vec3 x = Vec3::Zero();
-    for (int k = 0; k < point.count; ++k) x += point.weight[k] * other.surface->x(point.vertex[k]);
-    return x;
-  };
-  const Vec3 here = footPosition(foot);
-  for (int i = mine.chain[vertex]; i >= 0; i = m_next[i]) {
-    Proximity& known = (*m_out)[i];
-    if ((footPosition(first ? known.b : known.a) - here).squaredNorm() > kSameFoot * kSameFoot) continue;
-    if (contact.key < known.key) known = contact;
-    return;
-  }
-  m_next.resize(m_out->size() + 1);
-  m_next[m_out->size()] = mine.chain[vertex];
-  mine.chain[vertex] = static_cast<int>(m_out->size());
-  m_out->push_back(contact);
-}
-
-/// Beside a concave edge the outside is what lies in front of both faces, so a vertex that touches one of them and
-/// may slide to the edge within the step needs the other's plane as well; with one at a time it would swing between
-/// them, always inside the one that was left out.
-void PairSearch::acrossValleys(Side& mine, Side& other, int vertex, int triangle) {
-  const MovingSurface& surface = *other.surface;
-  for (const int e : surface.topology().triangleEdges[triangle]) {
-    if (!isValley(surface, e)) continue;
-    const auto& triangles = surface.topology().edges[e].triangles;
-    const int beside = triangles[triangles[0] == triangle ? 1 : 0];
-    const double sine = surface.faceNormal(triangle).cross(surface.faceNormal(beside)).norm();
-    emitPlane(mine, other, vertex, beside, sine);
-  }
-}
-
-/// The plane of a face as seen from a vertex whose foot may lie at the face's edge. `sine`: of the angle between
-/// the plane that the vertex slides along and this one.
-void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, double sine) {
-  if (other.owners->ofTriangle[triangle] & FeatureOwners::kSkipped) return;
-  const MovingSurface& surface = *other.surface;
-  const Vec3 &p = mine.surface->x(vertex), &n = surface.faceNormal(triangle);
-  const auto& corners = surface.topology().triangles[triangle];
-  const auto [i, j, k] = corners;
-  const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
-  const FeaturePoint foot{3, corners, {w[0], w[1], w[2]}};
-  const double gap = surface.height(triangle, p);
-  double slide = 0;
-  for (int motion = 0; motion < m_settings.motionCount; ++motion)
-    slide = std::max(slide, m_settings.dt * (mine.surface->v(motion, vertex) - velocityOf(surface, motion, foot)).norm());
-  const double reach = m_settings.contactDistance + std::min(slide, m_limits.lookAhead);
-  // Sliding brings the vertex nearer to the plane by the sine of their angle at most.
-  if (gap > reach * sine || gap < -m_limits.depth) return;
-  const Vec3 to = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
-  if ((p - to).squaredNorm() > reach * reach + gap * gap) return;
-  const Vec3& own = mine.surface->vertexNormal(vertex);
-  if (own.dot(n) > kFarSide * own.norm()) return;
-  const bool first = &mine == &m_a;
-  Proximity contact;
-  contact.pair = m_settings.pair;
-  contact.gap = gap;
-  contact.normal_W = first ? n : Vec3(-n);
-  (first ? contact.a : contact.b) = vertexPoint(vertex);
-  (first ? contact.b : contact.a) = foot;
-  contact.key = first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, FeatureKind::Face, triangle)
-                      : FeatureKey::make(m_settings.pair, FeatureKind::Face, triangle, FeatureKind::Vertex, vertex);
-  m_next.resize(m_out->size() + 1);
-  m_next[m_out->size()] = -1;
-  m_out->push_back(contact);
-}
-
-void PairSearch::edgeNearEdge(int ea, int eb) {
-  ++m_counts->edgeEdge;
-  MovingSurface &a = *m_a.surface, &b = *m_b.surface;
-  const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
-  const Vec3 &a0 = a.x(edgeA.vertices[0]), &b0 = b.x(edgeB.vertices[0]);
-  const Vec3 da = a.x(edgeA.vertices[1]) - a0, db = b.x(edgeB.vertices[1]) - b0, between = b0 - a0;
-  Vec3 n = da.cross(db);
-  const double n2 = n.squaredNorm();
-  if (n2 <= kParallel * da.squaredNorm() * db.squaredNorm()) return;
-  const double furthest = std::max(m_settings.contactDistance + m_limits.lookAhead, m_limits.edgeDepth);
-  const double offset = n.dot(between);
-  if (offset * offset > furthest * furthest * n2) return;
-  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);  // times n2
-  if (!(s > 0 && s < n2 && t > 0 && t < n2)) return;
-
-  // Both wedges must fall away from the plane between them, else some other feature is nearer.
-  const Vec3 &oppositeB0 = b.x(edgeB.opposite[0]), &oppositeB1 = b.x(edgeB.opposite[1]);
-  double b1 = n.dot(oppositeB0 - b0), b2 = n.dot(oppositeB1 - b0);
-  if (b1 * b2 < 0 || (b1 == 0 && b2 == 0)) return;
-  if (b1 > 0 || b2 > 0) n = -n;
-  if (n.dot(a.x(edgeA.opposite[0]) - a0) < 0 || n.dot(a.x(edgeA.opposite[1]) - a0) < 0) return;
-  n /= std::sqrt(n2);
-  const double gap = -n.dot(between);
-  if (gap < -m_limits.edgeDepth) return;
-
-  Proximity contact;
-  contact.pair = m_settings.pair;
-  contact.a = edgePoint(edgeA, s / n2);
-  contact.b = edgePoint(edgeB, t / n2);
-  contact.normal_W = n;
-  contact.gap = gap;
-  if (!near(gap, n, a, contact.a, b, contact.b)) return;
-  if (gap < -kTouching) {
-    const double least = -kWedge * gap;
-    if (!inDepth(m_b, a0 + s / n2 * da, least) || !inDepth(m_a, b0 + t / n2 * db, least)) return;
-  }
-  contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
-  m_next.resize(m_out->size() + 1);
-  m_next[m_out->size()] = -1;
-  m_out->push_back(contact);
-}
-
-bool PairSearch::inDepth(Side& side, const Vec3& p, double depth) {
-  ++m_counts->depthQueries;
-  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_limits.edgeDepth + kTouching);
-  if (nearest.triangle < 0 || !nearest.inside || nearest.distance < depth) return false;
-  return !(side.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped);
-}
-
-void PairSearch::suspect(Side& mine, int vertex) {
-  if (mine.queueMark[vertex] == m_mark) return;
-  mine.queueMark[vertex] = m_mark;
-  mine.queue.push_back(vertex);
-}
-
-/// From the vertices where the surfaces meet along the edges to all that are inside: each is pushed out
-/// through the nearest face.
-void PairSearch::followInside(Side& mine, Side& other) {
-  MovingSurface& surface = *other.surface;
-  for (std::size_t i = 0; i < mine.queue.size(); ++i) {
-    const int vertex = mine.queue[i];
-    if (!mine.owners->vertexTakesPart[vertex]) continue;
-    const Vec3& p = mine.surface->x(vertex);
-    ++m_counts->depthQueries;
-    MovingSurface::Nearest nearest = surface.nearest(p, m_limits.depth);
-    if (nearest.triangle < 0 || !nearest.inside) continue;
-    for (const int e : mine.surface->topology().edgesOf(vertex)) {
-      const auto& ends = mine.surface->topology().edges[e].vertices;
-      suspect(mine, ends[0] == vertex ? ends[1] : ends[0]);
-    }
-
-    // In a thin sheet the far face may be nearer; a face that looks at the vertex's own side goes before it.
-    const auto outwardOf = [&](const MovingSurface::Nearest& found) -> Vec3 {
-      if (found.feature.kind == FeatureKind::Face) return surface.faceNormal(found.triangle);
-      const Vec3 way = found.point - p;
-      return found.distance > kTouching ? Vec3(way / found.distance)
-                                        : Vec3(surface.normalOf(found.feature).stableNormalized());
-    };
-    Vec3 outward = outwardOf(nearest);
-    const Vec3 own = mine.surface->vertexNormal(vertex).stableNormalized();
-    if (own.dot(outward) > kFarSide && nearest.distance > kTouching) {
-      ++m_counts->depthQueries;
-      const double reach = std::min(m_limits.depth, 3 * nearest.distance);
-      const MovingSurface::Nearest facing = surface.nearestFacing(p, reach, own, -0.2);
-      if (facing.triangle >= 0) {
-        nearest = facing;
-        outward = surface.faceNormal(facing.triangle);
-      }
-    }
-    if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
-    if (outward.isZero(0)) continue;
-    emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward,
-               -nearest.distance);
-  }
 }
 
 }  // namespace glenoid

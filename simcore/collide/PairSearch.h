@@ -22,6 +22,9 @@ class PairSearch {
            const FeatureOwners& ownersB, std::vector<Proximity>& out, ProximityFinder::Counts& counts);
 
  private:
+  /// Distances below this are taken as touching: the direction between two points says nothing any more. m.
+  static constexpr double kTouching = 1e-9;
+
   /// One of the two surfaces, with marks for each of its vertices; a mark holds while it equals m_mark.
   struct Side {
     MovingSurface* surface = nullptr;

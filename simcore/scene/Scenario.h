@@ -36,6 +36,15 @@ struct Hold {
   bool operator==(const Hold&) const = default;
 };
 
+/// Constant force and torque on a rigid part, such as the pull of muscles that are not modelled. It acts at the
+/// part's material point that rests at the origin of W, as a hold does.
+struct Load {
+  std::string part;                 ///< id of a rigid part that is not fixed
+  Vec3 force_W = Vec3::Zero();      ///< N
+  Vec3 torque_W = Vec3::Zero();     ///< N·m
+  bool operator==(const Load&) const = default;
+};
+
 enum class ToolKind { Probe, Arthroscope, Finger, Ball, Bar };
 
 /// A tool: a free rigid body with a mass, pulled by a virtual coupling toward the pose of the hand.
@@ -76,6 +85,7 @@ struct Scenario {
   double recoverySpeedMax = 0.1;     ///< m/s: cap on the speed at which penetration is undone
   std::vector<std::string> fixedParts;  ///< ids; they join no island
   std::vector<Hold> holds;
+  std::vector<Load> loads;
   std::vector<Tool> tools;
   Effects effects;
   std::vector<Camera> cameras;       ///< first: default

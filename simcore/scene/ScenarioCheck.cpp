@@ -30,6 +30,7 @@ Result<Done> checkOwnValues(const Scenario& scenario, const std::string& file) {
   if (const auto ids = checkIds(scenario.tools, &Tool::id, "tools", "id", file); !ids) return ids;
   if (const auto ids = checkIds(scenario.cameras, &Camera::id, "cameras", "id", file); !ids) return ids;
   if (const auto ids = checkIds(scenario.holds, &Hold::part, "holds", "part", file); !ids) return ids;
+  if (const auto ids = checkIds(scenario.loads, &Load::part, "loads", "part", file); !ids) return ids;
   for (std::size_t i = 0; i < scenario.tools.size(); ++i) {
     const Quat& q = scenario.tools[i].home.q_WB;
     if (!isUnit(q))
@@ -57,6 +58,18 @@ Result<Done> checkPartNamed(const Joint& joint, const std::string& id, const Pla
   return Error{Fault::UnknownId, {place.file, place.pointer + pointer, owner, {}}, {id, "part"}, {}};
 }
 
+/// A hold or a load: on a rigid part that can move.
+Result<Done> checkFreeRigid(const Scenario& scenario, const Joint& joint, const std::string& id, const Place& place,
+                            const std::string& pointer, const std::string& what) {
+  if (const auto known = checkPartNamed(joint, id, place, pointer, {}); !known) return known;
+  const bool fixed = std::find(scenario.fixedParts.begin(), scenario.fixedParts.end(), id) != scenario.fixedParts.end();
+  if (!fixed && joint.parts[findPart(joint, id)].kind == PartKind::Rigid) return Done{};
+  return Error{Fault::BadReference,
+               {place.file, place.pointer + pointer, id, {}},
+               {id},
+               fixed ? "a fixed part needs no " + what : "only a rigid part can have a " + what};
+}
+
 }  // namespace
 
 Result<Done> checkScenario(const Scenario& scenario, const std::string& file) {
@@ -73,18 +86,12 @@ Result<Done> checkScenario(const Scenario& scenario, const Joint& joint, const P
             checkPartNamed(joint, scenario.fixedParts[i], place, pointerTo("/fixedParts", i), {});
         !known)
       return known;
-  for (std::size_t i = 0; i < scenario.holds.size(); ++i) {
-    const std::string& id = scenario.holds[i].part;
-    const std::string pointer = under("holds", i, "part");
-    if (const auto known = checkPartNamed(joint, id, place, pointer, {}); !known) return known;
-    const bool fixed =
-        std::find(scenario.fixedParts.begin(), scenario.fixedParts.end(), id) != scenario.fixedParts.end();
-    if (fixed || joint.parts[findPart(joint, id)].kind == PartKind::Soft)
-      return Error{Fault::BadReference,
-                   {place.file, place.pointer + pointer, id, {}},
-                   {id},
-                   fixed ? "a fixed part needs no hold" : "only a rigid part can be held"};
-  }
+  for (std::size_t i = 0; i < scenario.holds.size(); ++i)
+    if (const auto good = checkFreeRigid(scenario, joint, scenario.holds[i].part, place, under("holds", i, "part"), "hold"); !good)
+      return good;
+  for (std::size_t i = 0; i < scenario.loads.size(); ++i)
+    if (const auto good = checkFreeRigid(scenario, joint, scenario.loads[i].part, place, under("loads", i, "part"), "load"); !good)
+      return good;
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const Tool& tool = scenario.tools[t];
     for (std::size_t i = 0; i < tool.perforates.size(); ++i) {

@@ -28,6 +28,18 @@ Hold toHold(const JsonValue& json) {
   return hold;
 }
 
+JsonValue fromLoad(const Load& load) {
+  JsonValue json = JsonValue::object();
+  json.set("part", load.part);
+  json.set("force", fromVec3(load.force_W));
+  json.set("torque", fromVec3(load.torque_W));
+  return json;
+}
+
+Load toLoad(const JsonValue& json) {
+  return {json["part"].text(), toVec3(json["force"], Vec3::Zero()), toVec3(json["torque"], Vec3::Zero())};
+}
+
 JsonValue fromTool(const Tool& tool) {
   JsonValue json = JsonValue::object();
   json.set("id", tool.id);
@@ -102,6 +114,7 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("recoverySpeedMax", scenario.recoverySpeedMax);
   json.set("fixedParts", fromTexts(scenario.fixedParts));
   json.set("holds", listOf(scenario.holds, fromHold));
+  json.set("loads", listOf(scenario.loads, fromLoad));
   json.set("tools", listOf(scenario.tools, fromTool));
   JsonValue effects = JsonValue::object();
   for (const EffectWord& effect : kEffects)
@@ -126,6 +139,7 @@ Scenario toScenario(const JsonValue& json) {
   scenario.recoverySpeedMax = json["recoverySpeedMax"].number(scenario.recoverySpeedMax);
   scenario.fixedParts = toTexts(json["fixedParts"]);
   scenario.holds = vectorOf(json["holds"], toHold);
+  scenario.loads = vectorOf(json["loads"], toLoad);
   scenario.tools = vectorOf(json["tools"], toTool);
   for (const EffectWord& effect : kEffects) {
     Wish& wish = scenario.effects.*effect.wish;

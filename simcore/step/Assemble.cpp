@@ -40,6 +40,12 @@ void assembleIslands(Stepper::Work& work, const State& state) {
                       island.b.segment(3 * model.base[k], 3 * object.blockCount()));
     }
     for (const BoundSpring& spring : model.springs) assembleSpring(spring, dt, state.q, island.A, island.b);
+    for (const BoundLoad& load : model.loads) {
+      const auto& body = static_cast<const RigidObject&>(*work.inside->objects[load.object]);
+      const Vec3 lever_W = body.pose(state.q).q_WB * load.anchor_B;
+      island.b.segment<3>(3 * load.base) += dt * load.force_W;
+      island.b.segment<3>(3 * load.base + 3) += dt * (load.torque_W + lever_W.cross(load.force_W));
+    }
     for (const BoundPoseSpring& bound : model.poseSprings) {
       const auto& body = static_cast<const RigidObject&>(*work.inside->objects[bound.object]);
       PoseTarget target = bound.rest;

@@ -20,12 +20,16 @@ Result<Done> checkWishes(const Joint& joint, const Scenario& scenario) {
   for (std::size_t i = 0; i < scenario.fixedParts.size(); ++i)
     if (findPart(joint, scenario.fixedParts[i]) < 0)
       return fault(Fault::UnknownId, "/fixedParts/" + std::to_string(i), {scenario.fixedParts[i], "part"});
-  for (std::size_t i = 0; i < scenario.holds.size(); ++i) {
-    const std::string pointer = "/holds/" + std::to_string(i);
-    const int part = findPart(joint, scenario.holds[i].part);
-    if (part < 0) return fault(Fault::UnknownId, pointer, {scenario.holds[i].part, "part"});
-    if (joint.parts[part].kind != PartKind::Rigid) return fault(Fault::Unusable, pointer, {"hold-of-soft-part"});
-  }
+  const auto rigid = [&](const std::string& id, const std::string& pointer, const char* otherwise) -> Result<Done> {
+    const int part = findPart(joint, id);
+    if (part < 0) return fault(Fault::UnknownId, pointer, {id, "part"});
+    if (joint.parts[part].kind != PartKind::Rigid) return fault(Fault::Unusable, pointer, {std::string(otherwise)});
+    return Done{};
+  };
+  for (std::size_t i = 0; i < scenario.holds.size(); ++i)
+    if (auto good = rigid(scenario.holds[i].part, "/holds/" + std::to_string(i), "hold-of-soft-part"); !good) return good;
+  for (std::size_t i = 0; i < scenario.loads.size(); ++i)
+    if (auto good = rigid(scenario.loads[i].part, "/loads/" + std::to_string(i), "load-of-soft-part"); !good) return good;
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     for (const std::string& part : scenario.tools[i].perforates)
       if (findPart(joint, part) < 0) return fault(Fault::UnknownId, "/tools/" + std::to_string(i) + "/perforates", {part, "part"});
@@ -104,6 +108,13 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
     if (inside.islandOfObject[object] < 0) continue;      // a fixed part needs no holding
     const auto& body = static_cast<const RigidObject&>(*inside.objects[object]);
     inside.islands[inside.islandOfObject[object]].poseSprings.push_back(holdSpring(hold, body, object));
+  }
+  for (const Load& load : model.scenario.loads) {
+    const int object = findPart(model.joint, load.part);
+    if (inside.islandOfObject[object] < 0) continue;
+    const auto& body = static_cast<const RigidObject&>(*inside.objects[object]);
+    inside.islands[inside.islandOfObject[object]].loads.push_back(
+        {object, inside.baseOfObject[object], -body.properties().centre, load.force_W, load.torque_W});
   }
 
   for (CouplingIslandModel& island : inside.islands) {

@@ -85,7 +85,8 @@ bool compileFriction(Model& model) {
 void compileContacts(Model& model) {
   const Joint& joint = model.joint;
   const int count = static_cast<int>(model.objects.size());
-  for (const SceneObject& object : model.objects) model.collisionSurfaces.push_back(makeCollisionSurface(*object.collision.mesh));
+  for (const SceneObject& object : model.objects)
+    model.collisionSurfaces.push_back(makeCollisionSurface(*object.collision.mesh, !object.layout.rigid));
   for (int a = 0; a < count; ++a) {
     for (int b = a + 1; b < count; ++b) {
       const SceneObject &objectA = model.objects[a], &objectB = model.objects[b];

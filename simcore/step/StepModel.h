@@ -18,6 +18,12 @@ struct BoundPoseSpring {
   std::array<BlockEntry, 3> entries;
 };
 
+/// A constant force and torque on a rigid body.
+struct BoundLoad {
+  int object = 0, base = 0;
+  Vec3 anchor_B = Vec3::Zero(), force_W = Vec3::Zero(), torque_W = Vec3::Zero();
+};
+
 /// A coupling island compiled: which objects, where their blocks start, pattern and forces.
 struct CouplingIslandModel {
   std::vector<int> objects;                      ///< ascending
@@ -25,6 +31,7 @@ struct CouplingIslandModel {
   std::vector<std::vector<BlockEntry>> entries;  ///< of each object
   std::vector<BoundSpring> springs;              ///< an end may be fixed
   std::vector<BoundPoseSpring> poseSprings;
+  std::vector<BoundLoad> loads;
   std::shared_ptr<const BlockSymbolic> symbolic;
   int blockCount = 0;
 };

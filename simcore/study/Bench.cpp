@@ -18,9 +18,9 @@ Error cancelled() { return {Fault::Cancelled, {}, {}, "benchmark"}; }
 StudyTable statesTable(const std::vector<ContactState>& states) {
   StudyTable table;
   table.id = "states";
-  table.columns = {"state", "contacts", "active", "timeS", "mark", "contactDistanceMm", "distanceChanged", "stateHash"};
+  table.columns = {"state", "contacts", "active", "timeS", "mark", "pressedN", "contactDistanceMm", "distanceChanged", "stateHash"};
   for (const ContactState& state : states)
-    table.rows.push_back({stateName(state), long{state.contacts}, long{state.active}, state.time, state.mark,
+    table.rows.push_back({stateName(state), long{state.contacts}, long{state.active}, state.time, state.mark, state.pressed,
                           1e3 * state.contactDistance, state.distanceChanged, toHex(stateHash(state.state))});
   return table;
 }

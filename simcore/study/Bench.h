@@ -12,7 +12,7 @@ namespace glenoid {
 
 /// How thorough a benchmark is.
 struct BenchOptions {
-  std::vector<int> contacts{65, 153};                     ///< states to look for
+  std::vector<ContactWish> contacts{{65, 0}, {153, 100}};  ///< states to look for: working, and the head pressed home
   std::vector<int> tetrahedra{750, 7'500, 75'000};        ///< sizes of the growth table
   Repeats fast{50, 4000, 15};                             ///< a profile that takes about a millisecond
   Repeats slow{2, 200, 8};                                ///< paper and reference

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/study/ContactState.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+
+#include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
 namespace {
@@ -44,42 +48,84 @@ void changeDistance(const Model& model, ContactState& found) {
   }
 }
 
-}  // namespace
-
-Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<int>& wanted,
-                                                    const std::function<bool(double)>& progress) {
-  const auto model = compileModel(scene.joint, scene.scenario);
+/// One play of the input with held parts pressed, for all states that want it so.
+Result<Done> search(const StudyScene& scene, double press, const std::vector<ContactState*>& found,
+                    const std::function<bool(double)>& progress) {
+  ContactState pressed;
+  pressed.pressed = press;
+  pressed.contactDistance = scene.scenario.contactDistance;
+  const Scenario scenario = scenarioOf(scene, pressed);
+  const auto model = compileModel(scene.joint, scenario);
   if (!model) return model.error();
-  std::vector<ContactState> best(wanted.size());
   Stepper stepper(*model, {});
   State state = (*model)->start, before = state;
   Inputs inputs;
-  const double dt = scene.scenario.dt;
+  const double dt = scenario.dt;
   const long steps = std::lround(inputSeconds(scene.input) / dt);
   for (long s = 0; s < steps; ++s) {
-    handsAt(scene.scenario, &scene.input, static_cast<double>(s + 1) * dt, inputs.hands);
+    handsAt(scenario, &scene.input, static_cast<double>(s + 1) * dt, inputs.hands);
     before = state;
     const StepReport& report = stepper.step(inputs, state);
     const std::string mark = markAt(scene.input, before.time);
-    if (progress && !progress(static_cast<double>(s + 1) / static_cast<double>(steps)))
+    if (!progress(static_cast<double>(s + 1) / static_cast<double>(steps)))
       return Error{Fault::Cancelled, {}, {}, "looking for states"};
     if (mark.empty() || report.active == 0) continue;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const int miss = std::abs(report.contacts - wanted[i]), known = std::abs(best[i].contacts - wanted[i]);
-      if (best[i].contacts > 0 && (miss > known || (miss == known && report.active <= best[i].active))) continue;
-      best[i] = {wanted[i], report.contacts, report.active, before.time, scene.scenario.contactDistance, false, mark, before, inputs};
+    for (ContactState* best : found) {
+      const int miss = std::abs(report.contacts - best->wanted), known = std::abs(best->contacts - best->wanted);
+      if (best->contacts > 0 && (miss > known || (miss == known && report.active <= best->active))) continue;
+      *best = {best->wanted, report.contacts, report.active, before.time, scenario.contactDistance, press, false, mark, before, inputs};
     }
   }
-  for (ContactState& found : best) {
-    if (found.contacts == 0) return Error{Fault::Unusable, {}, {"the input never presses on anything"}, "looking for states"};
-    if (std::abs(found.contacts - found.wanted) > kNearEnough * found.wanted) changeDistance(**model, found);
+  for (ContactState* best : found) {
+    if (best->contacts == 0) return Error{Fault::Unusable, {}, {"the input never presses on anything"}, "looking for states"};
+    if (std::abs(best->contacts - best->wanted) > kNearEnough * best->wanted) changeDistance(**model, *best);
   }
-  return best;
+  return Done{};
+}
+
+}  // namespace
+
+std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons) {
+  std::vector<Load> loads;
+  for (const Hold& hold : scenario.holds) {
+    double least = std::numeric_limits<double>::infinity();
+    Vec3 toward_W = Vec3::Zero();
+    for (const std::string& id : scenario.fixedParts) {
+      const TriangleTree tree(*joint.parts[findPart(joint, id)].collision);
+      const auto nearest = tree.closest(Vec3::Zero());
+      if (nearest.triangle < 0 || nearest.distance >= least) continue;
+      least = nearest.distance;
+      toward_W = nearest.point;
+    }
+    if (toward_W.norm() > 0) loads.push_back({hold.part, newtons * toward_W.normalized(), Vec3::Zero()});
+  }
+  return loads;
+}
+
+Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<ContactWish>& wanted,
+                                                    const std::function<bool(double)>& progress) {
+  std::vector<ContactState> found(wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    found[i].wanted = wanted[i].contacts;
+    found[i].pressed = wanted[i].press;
+  }
+  std::vector<double> presses;
+  for (const ContactWish& wish : wanted)
+    if (std::find(presses.begin(), presses.end(), wish.press) == presses.end()) presses.push_back(wish.press);
+  for (std::size_t p = 0; p < presses.size(); ++p) {
+    std::vector<ContactState*> group;
+    for (ContactState& state : found)
+      if (state.pressed == presses[p]) group.push_back(&state);
+    const auto part = [&](double done) { return !progress || progress((static_cast<double>(p) + done) / static_cast<double>(presses.size())); };
+    if (Result<Done> searched = search(scene, presses[p], group, part); !searched) return searched.error();
+  }
+  return found;
 }
 
 Scenario scenarioOf(const StudyScene& scene, const ContactState& state) {
   Scenario scenario = scene.scenario;
   scenario.contactDistance = state.contactDistance;
+  if (state.pressed > 0) scenario.loads = pressingLoads(scene.joint, scenario, state.pressed);
   return scenario;
 }
 

@@ -16,21 +16,32 @@ struct ContactState {
   int wanted = 0, contacts = 0, active = 0;
   double time = 0;             ///< s of the input
   double contactDistance = 0;  ///< m, of the scenario that gives this many contacts
+  double pressed = 0;          ///< N, by which held parts were pressed onto fixed ones
   bool distanceChanged = false;  ///< against the scenario as it is shipped
   std::string mark;            ///< of the recording, what the hands were doing
   State state;                 ///< before the step
   Inputs inputs;               ///< of that step
 };
 
-/// Plays the input once and keeps, for each wanted number, the step nearest to it during which a hand presses (inside
+/// What to look for: a number of contacts, and how hard held parts are pressed onto fixed ones meanwhile.
+struct ContactWish {
+  int contacts = 65;
+  double press = 0;  ///< N
+};
+
+/// A load for each held part: `newtons` from the point that is held toward the nearest point of a fixed part's
+/// collision surface. In the shoulder: the head into its socket, as the cuff's muscles pull it.
+std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons);
+
+/// Plays the input once for each press and keeps, for each wanted number, the step nearest to it during which a hand presses (inside
 /// a mark of the recording, with at least one active contact; of equals the one with most active contacts). Where that
 /// misses by more than a few hundredths, the contact distance is changed by bisection, at most fourfold either way,
 /// the state staying the same: more or fewer features count as near. The answer says what it took. Fails as
 /// compileModel does, with Unusable for an input that never presses, with Cancelled.
-Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<int>& wanted,
+Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<ContactWish>& wanted,
                                                     const std::function<bool(double)>& progress = {});
 
-/// The scene with the contact distance of a state.
+/// The scene with the contact distance and the loads of a state.
 Scenario scenarioOf(const StudyScene& scene, const ContactState& state);
 
 }  // namespace glenoid

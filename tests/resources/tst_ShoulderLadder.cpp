@@ -6,6 +6,7 @@
 #include "simcore/linear/BlockCholesky.h"
 #include "simcore/linear/ConjugateGradients.h"
 #include "simcore/linear/ReferenceCholesky.h"
+#include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/Run.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecordingFile.h"
@@ -86,6 +87,24 @@ TEST(ShoulderLadder, everyContactOfAWholeRunIsComplementary) {
   EXPECT_GT(most, 60);
   EXPECT_GT(active, 500);
   EXPECT_GT(judged, 1900);
+}
+
+TEST(ShoulderLadder, pressedIntoItsSocketNothingGoesInside) {
+  // A hundred newtons up and into the socket while both hands work: the labrum's edge lies along and across facets of
+  // the head and rolls over them. 0.02 mm is what half a step of rolling leaves.
+  Scenario pressed = arthroscopy();
+  pressed.loads = {{"humerus", Vec3(0, 40, -100), Vec3::Zero()}};
+  Session run(compileModel(shoulder(), pressed).value());
+  PenetrationProbe probe(*run.model, SurfaceKind::Collision);
+  int most = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const StepReport& report = run.step();
+    ASSERT_TRUE(report.taken);
+    most = std::max(most, report.active);
+    probe.look(run.state.q);
+  }
+  EXPECT_GE(most, 8) << "it presses";
+  EXPECT_LT(probe.deepest(), 2e-5) << probe.where();
 }
 
 TEST(ShoulderLadder, referenceIsComplementaryToo) {

@@ -13,10 +13,12 @@ struct CollisionScene {
   std::vector<TriMesh> meshes;
   std::vector<std::vector<Vec3>> velocities;  ///< may be empty
   std::vector<CollisionPair> pairs{{0, 1, {}, {}}};
+  std::vector<bool> deforms;                  ///< by mesh; may be shorter: the rest are rigid
 
   std::vector<std::shared_ptr<const CollisionSurface>> surfaces() const {
     std::vector<std::shared_ptr<const CollisionSurface>> result;
-    for (const TriMesh& mesh : meshes) result.push_back(makeCollisionSurface(mesh));
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+      result.push_back(makeCollisionSurface(meshes[i], i < deforms.size() && deforms[i]));
     return result;
   }
   std::vector<std::span<const Vec3>> positionSpans() const {

@@ -139,7 +139,8 @@ Name featureName(const Proximity& contact) {
 }
 
 std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh& meshB,
-                                            double contactDistance, const ProximityLimits& limits) {
+                                            double contactDistance, const ProximityLimits& limits,
+                                            const std::vector<bool>& deforms) {
   std::map<Name, SlowContact> found;
   const Mesh a(meshA), b(meshB);
   const auto vertices = [&](const Mesh& mine, const Mesh& other, bool first) {
@@ -207,14 +208,35 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
   vertices(a, b, true);
   vertices(b, a, false);
 
-  const auto convex = [](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles) {
+  // How the two faces beside an edge bend, and whether they bound a plane with the normal n through it.
+  enum class Bend { Flat, Convex, Sharp };
+  const auto bendOf = [](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles) {
     const Vec3 away = m.x(m.opposite(triangles[1], edge)) - m.x(edge[0]);
-    return m.normal(triangles[0]).dot(away) < -1e-3 * away.norm();
+    if (m.normal(triangles[0]).dot(away) >= -1e-3 * away.norm()) return Bend::Flat;
+    return m.normal(triangles[0]).dot(m.normal(triangles[1])) < 0.866 ? Bend::Sharp : Bend::Convex;
+  };
+  const auto steepest = [](const Mesh& m, const std::vector<int>& triangles, const Vec3& n) {
+    return std::min(m.normal(triangles[0]).dot(n), m.normal(triangles[1]).dot(n));
+  };
+  const auto under = [&](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles, Bend bend, const Vec3& n,
+                         double lean) {
+    if (bend == Bend::Flat) return steepest(m, triangles, n) > 0.85;
+    double highest = -1e30;  // sine of the steepest way up from the edge in one of its faces
+    const Vec3 along = (m.x(edge[1]) - m.x(edge[0])).normalized();
+    for (const int t : triangles) {
+      const Vec3 away = m.x(m.opposite(t, edge)) - m.x(edge[0]);
+      highest = std::max(highest, n.dot((away - away.dot(along) * along).normalized()));
+    }
+    return highest <= lean;
   };
   for (const auto& [ea, ta] : a.edges) {
-    if (!convex(a, ea, ta)) continue;
+    const Bend bendA = bendOf(a, ea, ta);
     for (const auto& [eb, tb] : b.edges) {
-      if (!convex(b, eb, tb)) continue;
+      const Bend bendB = bendOf(b, eb, tb);
+      const bool bothConvex = bendA != Bend::Flat && bendB != Bend::Flat;
+      const bool dents = (bendA == Bend::Sharp && bendB == Bend::Flat && deforms[1]) ||
+                         (bendB == Bend::Sharp && bendA == Bend::Flat && deforms[0]);
+      if (!bothConvex && !dents) continue;
       const Vec3 da = a.x(ea[1]) - a.x(ea[0]), db = b.x(eb[1]) - b.x(eb[0]);
       if (da.cross(db).norm() <= 1e-3 * da.norm() * db.norm()) continue;
       // Least squares for the points of the two lines that are nearest to each other.
@@ -225,17 +247,15 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       const Vec3 pa = a.x(ea[0]) + st[0] * da, pb = b.x(eb[0]) + st[1] * db;
       for (const double sign : {1.0, -1.0}) {
         const Vec3 n = sign * da.cross(db).normalized();
-        double highestB = -1e30, lowestA = 1e30;
-        for (const int t : tb) highestB = std::max(highestB, n.dot(b.x(b.opposite(t, eb)) - pb));
-        for (const int t : ta) lowestA = std::min(lowestA, n.dot(a.x(a.opposite(t, ea)) - pa));
-        if (highestB > 0 || lowestA < 0) continue;
         const double gap = n.dot(pa - pb);
         if (gap >= contactDistance || gap < -limits.edgeDepth) continue;
+        const double lean = std::abs(gap) < 0.25 * contactDistance ? 0.2 : 0;
+        if (!under(b, eb, tb, bendB, n, lean) || !under(a, ea, ta, bendA, -n, lean)) continue;
         if (gap < 0) {
-          if (!b.inside(pa) || !a.inside(pb)) continue;
-          const double depth =
-              std::min((b.nearestFoot(pa).point - pa).norm(), (a.nearestFoot(pb).point - pb).norm());
-          if (depth < -0.4 * gap) continue;
+          const bool inA = steepest(a, ta, -n) > 0.4, inB = steepest(b, tb, n) > 0.4;
+          if (!inA && !inB) continue;
+          if (inB && !(b.inside(pa) && (b.nearestFoot(pa).point - pa).norm() >= -0.4 * gap)) continue;
+          if (inA && !(a.inside(pb) && (a.nearestFoot(pb).point - pb).norm() >= -0.4 * gap)) continue;
         }
         found[join({ea[0], ea[1]}, {eb[0], eb[1]})] = {gap, n};
       }

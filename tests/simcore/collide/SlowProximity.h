@@ -16,7 +16,8 @@ struct SlowContact {
 /// By the vertices of both features: those of A, −1, those of B, in ascending order on each side.
 std::map<std::vector<int>, SlowContact> slowProximities(const TriMesh& a, const TriMesh& b,
                                                         double contactDistance,
-                                                        const ProximityLimits& limits = {});
+                                                        const ProximityLimits& limits = {},
+                                                        const std::vector<bool>& deforms = {false, false});
 
 /// The same name for a constraint of the finder.
 std::vector<int> featureName(const Proximity& contact);

@@ -256,7 +256,7 @@ TEST(Proximity, farFromAValleyItsOtherSideIsLeftAlone) {
 
 TEST(Proximity, equalsBruteForceOverAllFeatures) {
   Numbers numbers(11);
-  int positive = 0, negative = 0, edges = 0;
+  int positive = 0, negative = 0, edges = 0, dents = 0;
   // Curved, flat and saddle-shaped surfaces, near, touching and up to some millimetres inside each other.
   for (int i = 0; i < 90; ++i) {
     TriMesh a = i % 3 == 0 ? sphere({0, 0, 0}, 0.02, 2)
@@ -269,8 +269,11 @@ TEST(Proximity, equalsBruteForceOverAllFeatures) {
     b = moved(b, pose);
     const double contactDistance = 0.0015;
     const ProximityLimits limits{3e-3, 2e-3, 2e-3};
-    const auto slow = slowProximities(a, b, contactDistance, limits);
-    const auto found = twoMeshes(a, b).find(contactDistance, 0.005, limits);
+    CollisionScene scene = twoMeshes(a, b);
+    scene.deforms = {i % 4 >= 2, i % 8 >= 4};
+    const auto slow = slowProximities(a, b, contactDistance, limits, scene.deforms);
+    const auto found = scene.find(contactDistance, 0.005, limits);
+    dents += found.size() > twoMeshes(a, b).find(contactDistance, 0.005, limits).size();
     std::set<std::vector<int>> names;
     for (const Proximity& c : found) {
       EXPECT_TRUE(names.insert(featureName(c)).second);
@@ -289,6 +292,46 @@ TEST(Proximity, equalsBruteForceOverAllFeatures) {
   EXPECT_GT(positive, 100);
   EXPECT_GT(negative, 50);
   EXPECT_GT(edges, 20);
+  EXPECT_GT(dents, 5);
+}
+
+TEST(Proximity, aRidgeAcrossASoftFaceTouchesItBetweenTheVertices) {
+  // The lower edge of a bar lies along x across the top of a plate, a little inside. All vertices of either are
+  // far from the other; only the diagonal of the plate's top can say how deep the bar is.
+  TriMesh bar = box({-0.05, -0.002, -0.002}, {0.05, 0.002, 0.002});
+  const Quat onEdge(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()));
+  for (Vec3& x : bar.vertices) x = onEdge * x + Vec3(0, std::sqrt(8.0) * 1e-3 - 1e-4, 1e-3);
+  CollisionScene scene = twoMeshes(bar, box({-0.02, -0.01, -0.02}, {0.02, 0, 0.02}));
+  const auto across = [&] {
+    std::vector<Proximity> list;
+    for (const Proximity& c : scene.find(5e-4))
+      if (c.a.count == 2 && c.b.count == 2 && c.normal_W.y() > 0.999) list.push_back(c);
+    return list;
+  };
+  const std::size_t rigid = across().size();
+  scene.deforms = {false, true};
+  const auto soft = across();
+  EXPECT_EQ(soft.size(), rigid + 1);
+  for (const Proximity& c : soft) EXPECT_NEAR(c.gap, -1e-4, 1e-12);
+}
+
+TEST(Proximity, aBladeThatLeansOverGoesNoDeeperThanItsEdge) {
+  // A thin wedge lying almost flat with its edge across the convex edge of a bar, both edges a little past each
+  // other: the bar's point under the wedge's edge comes out on the wedge's other side, so it says nothing.
+  TriMesh blade;
+  blade.vertices = {{0, 0, -0.02}, {0, 0, 0.02}, {0.02, 0.004, -0.02}, {0.02, 0.004, 0.02}, {0.02, 0.008, -0.02}, {0.02, 0.008, 0.02}};
+  blade.triangles = {{0, 3, 1}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4}, {2, 5, 3}, {2, 4, 5}, {0, 4, 2}, {1, 3, 5}};
+  TriMesh bar = box({-0.05, -0.002, -0.002}, {0.05, 0.002, 0.002});
+  const Quat onEdge(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX()));
+  for (Vec3& x : bar.vertices) x = onEdge * x + Vec3(0, -std::sqrt(8.0) * 1e-3 + 2e-4, 0);
+  const auto found = twoMeshes(blade, bar).find(1e-4);
+  const auto edges = std::count_if(found.begin(), found.end(), [](const Proximity& c) { return c.a.count == 2 && c.b.count == 2; });
+  EXPECT_EQ(edges, 1);
+  for (const Proximity& c : found)
+    if (c.a.count == 2 && c.b.count == 2) {
+      EXPECT_NEAR(c.gap, -2e-4, 1e-12);
+      EXPECT_GT(c.normal_W.y(), 0.999);
+    }
 }
 
 TEST(Proximity, turnsWithTheScene) {

@@ -24,6 +24,7 @@ Scenario sample() {
   scenario.contactDistance = 0.002;
   scenario.recoverySpeedMax = 0.2;
   scenario.holds = {{"humerus", 1e4, 40, 0.02}};
+  scenario.loads = {{"humerus", Vec3(1, -20, 3), Vec3(0.1, 0, -0.2)}};
   Tool probe;
   probe.id = "probe";
   probe.name = "Probe";
@@ -66,6 +67,7 @@ void expectSame(const Scenario& a, const Scenario& b) {
   EXPECT_EQ(a.recoverySpeedMax, b.recoverySpeedMax);
   EXPECT_EQ(a.fixedParts, b.fixedParts);
   EXPECT_EQ(a.holds, b.holds);
+  EXPECT_EQ(a.loads, b.loads);
   EXPECT_EQ(a.effects, b.effects);
   EXPECT_EQ(a.input, b.input);
   EXPECT_EQ(a.seed, b.seed);
@@ -243,6 +245,8 @@ TEST(ScenarioFile, referencesIntoTheJoint) {
        "/fixedParts/1",
        {"ulna", "part"}},
       {[](Scenario& s) { s.holds[0].part = "ulna"; }, Fault::UnknownId, "/holds/0/part", {"ulna", "part"}},
+      {[](Scenario& s) { s.loads[0].part = "ulna"; }, Fault::UnknownId, "/loads/0/part", {"ulna", "part"}},
+      {[](Scenario& s) { s.loads[0].part = "cuff"; }, Fault::BadReference, "/loads/0/part", {"cuff"}},
       {[](Scenario& s) { s.holds[0].part = "cuff"; }, Fault::BadReference, "/holds/0/part", {"cuff"}},
       {[](Scenario& s) { s.fixedParts = {"humerus"}; }, Fault::BadReference, "/holds/0/part", {"humerus"}},
       {[](Scenario& s) { s.tools[1].perforates = {"skin"}; },

@@ -110,6 +110,30 @@ double elongation(int cells, double young, double density, double* rise = nullpt
   return bottom / bottoms - top / tops;
 }
 
+TEST(ClosedForm, aLoadMovesAHeldBodyByForceOverStiffness) {
+  // Both act at the point of the body that rests at the origin, which is not its mass centre: at rest that point has
+  // moved by F/k and the body has turned by τ/kθ, whatever the lever.
+  scenes::LadderScene scene = scenes::twoFallingBoxes();
+  scene.scenario.effects.gravity = Wish::Off;
+  const double k = 2e3, kTheta = 5;
+  const Vec3 force(3, -4, 1), torque(0.2, 0.1, -0.3);
+  const std::string id = scene.joint.parts[0].id;
+  scene.scenario.holds = {{id, k, kTheta, 0.05}};
+  scene.scenario.loads = {{id, force, torque}};
+  const auto model = compileModel(scene.joint, scene.scenario).value();
+  ASSERT_TRUE(model->objects[0].layout.rigid);
+  State state = model->start;
+  const Pose start = poseAt(state.q, model->objects[0].layout.qOffset);
+  ASSERT_GT(start.p_WB.norm(), 1e-2) << "there is a lever";
+  Stepper stepper(model, {});
+  for (int i = 0; i < 4000; ++i) ASSERT_TRUE(stepper.step({}, state).taken);
+  const Pose end = poseAt(state.q, model->objects[0].layout.qOffset);
+  const Vec3 anchor_B = start.q_WB.conjugate() * -start.p_WB;
+  EXPECT_LT((end * anchor_B - force / k).norm(), 1e-9);
+  const Eigen::AngleAxisd turn(end.q_WB * start.q_WB.conjugate());
+  EXPECT_LT((turn.angle() * turn.axis() - torque / kTheta).norm(), 1e-9);
+}
+
 TEST(ClosedForm, aHangingBarGrowsByRhoGLSquaredOverTwoE) {
   const double young = 5e5, density = 1000, expected = density * 9.81 * 0.1 * 0.1 / (2 * young);
   double error[3], rise = 0;

@@ -98,7 +98,8 @@ TEST(Compile, frictionTakesEachVertexsOwnMaterial) {
     }
   EXPECT_EQ(*std::max_element(object.friction.begin(), object.friction.end()), 0.6);
   scenario.effects.friction = Wish::Off;
-  for (const SceneObject& smooth : compileModel(joint, scenario).value()->objects) EXPECT_TRUE(smooth.friction.empty());
+  const auto without = compileModel(joint, scenario).value();
+  for (const SceneObject& smooth : without->objects) EXPECT_TRUE(smooth.friction.empty());
 }
 
 TEST(Compile, wrongNamesAreFaultsWithAPlace) {

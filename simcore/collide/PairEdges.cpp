@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Edges that cross edges of the other surface.
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/collide/FeatureKey.h"
+#include "simcore/collide/FeaturePoints.h"
+#include "simcore/collide/PairSearch.h"
+
+namespace glenoid {
+namespace {
+
+/// Squared sine of the angle below which two edges are parallel: their ends say it better.
+constexpr double kParallel = 1e-6;
+/// Two crossed edges must be at least this share of their overlap below the other's surface.
+constexpr double kWedge = 0.4;
+/// Sine of the angle by which the normal of edges that touch may leave their arcs.
+constexpr double kLean = 0.2;
+/// Share of the contact distance below which edges count as touching in that.
+constexpr double kRolling = 0.25;
+/// Cosine of the angle by which the normal may differ from those beside an edge that is flat or a shallow valley.
+constexpr double kAlmostFlat = 0.85;
+
+/// How far below the nearer of an edge's two planes a point comes that goes in against the unit normal n, a share of
+/// its way; negative: it leaves the wedge.
+double wedgeDepth(const MovingSurface& surface, int e, const Vec3& n) {
+  const auto& triangles = surface.topology().edges[e].triangles;
+  return std::min(n.dot(surface.faceNormal(triangles[0])), n.dot(surface.faceNormal(triangles[1])));
+}
+
+/// Whether a plane with the unit normal n, at right angles to the edge, is one that the edge's surface stays under
+/// nearby: n lies in the arc between the normals of a convex edge, leaves it by less than the sine `lean`, or is close to
+/// both normals of a flat edge or a shallow valley.
+bool facesAlong(const MovingSurface& surface, int e, const Vec3& n, double lean) {
+  const CollisionSurface::Edge& edge = surface.topology().edges[e];
+  if (surface.bend(e) == MovingSurface::Bend::Dentable) return wedgeDepth(surface, e, n) > kAlmostFlat;
+  const Vec3 &on = surface.x(edge.vertices[0]), along = surface.x(edge.vertices[1]) - on;
+  for (const int v : edge.opposite) {
+    const Vec3 across = surface.x(v) - on;
+    const double above = n.dot(across);
+    if (above <= 0) continue;
+    if (lean == 0 || above * above * along.squaredNorm() > lean * lean * across.cross(along).squaredNorm()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void PairSearch::edgeNearEdge(int ea, int eb) {
+  ++m_counts->edgeEdge;
+  MovingSurface &a = *m_a.surface, &b = *m_b.surface;
+  const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
+  const Vec3 &a0 = a.x(edgeA.vertices[0]), &b0 = b.x(edgeB.vertices[0]);
+  const Vec3 da = a.x(edgeA.vertices[1]) - a0, db = b.x(edgeB.vertices[1]) - b0, between = b0 - a0;
+  Vec3 n = da.cross(db);
+  const double n2 = n.squaredNorm();
+  if (n2 <= kParallel * da.squaredNorm() * db.squaredNorm()) return;
+  const double furthest = std::max(m_settings.contactDistance + m_limits.lookAhead, m_limits.edgeDepth);
+  const double offset = n.dot(between);
+  if (offset * offset > furthest * furthest * n2) return;
+  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);  // times n2
+  if (!(s > 0 && s < n2 && t > 0 && t < n2)) return;
+
+  // n from b to a, by the side of the edges on which their faces lie.
+  const bool dentableB = b.bend(eb) == MovingSurface::Bend::Dentable;
+  n /= std::sqrt(n2);
+  if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
+  const double gap = -n.dot(between);
+  if (gap < -m_limits.edgeDepth) return;
+  // Edges that touch may roll over the end of an arc within the step, so they get some more of it.
+  const double lean = std::abs(gap) < kRolling * m_settings.contactDistance ? kLean : 0;
+  if (!facesAlong(b, eb, n, lean) || !facesAlong(a, ea, -n, lean)) return;
+
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  contact.a = edgePoint(edgeA, s / n2);
+  contact.b = edgePoint(edgeB, t / n2);
+  contact.normal_W = n;
+  contact.gap = gap;
+  if (!near(gap, n, a, contact.a, b, contact.b)) return;
+  if (gap < -kTouching) {
+    // Where the foot of one edge lies in the other's wedge it must truly be inside. A wedge that leans over so far that
+    // it cannot hold the foot says nothing; one of the two has to.
+    const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
+    const double least = -kWedge * gap;
+    if (!inA && !inB) return;
+    if (inB && !inDepth(m_b, a0 + s / n2 * da, least)) return;
+    if (inA && !inDepth(m_a, b0 + t / n2 * db, least)) return;
+  }
+  contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
+  m_next.resize(m_out->size() + 1);
+  m_next[m_out->size()] = -1;
+  m_out->push_back(contact);
+}
+
+bool PairSearch::inDepth(Side& side, const Vec3& p, double depth) {
+  ++m_counts->depthQueries;
+  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_limits.edgeDepth + kTouching);
+  if (nearest.triangle < 0 || !nearest.inside || nearest.distance < depth) return false;
+  return !(side.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped);
+}
+
+}  // namespace glenoid
