@@ -65,6 +65,8 @@ struct Tool {
   double friction = 0.1;             ///< Coulomb coefficient of this side; a pair uses the geometric mean
   Pose home;                         ///< hand pose at the start, W
   std::vector<std::string> perforates;  ///< parts that the shaft passes through without contact
+  std::string link;                  ///< id of the tool that carries this one in place of a hand; empty: a hand does
+  double linkStiffness = 2000;       ///< N/m: of the springs by which it is carried, in all
 };
 
 /// A named view of the scene.

@@ -39,6 +39,15 @@ Result<Done> checkOwnValues(const Scenario& scenario, const std::string& file) {
                    {std::to_string(q.norm()), "1", "1"},
                    "length of the quaternion"};
   }
+  for (std::size_t i = 0; i < scenario.tools.size(); ++i) {
+    const Tool& tool = scenario.tools[i];
+    if (tool.link.empty()) continue;
+    const Place place{file, under("tools", i, "link"), tool.id, {}};
+    const int carrier = findTool(scenario, tool.link);
+    if (carrier < 0) return Error{Fault::UnknownId, place, {tool.link, "tool"}, {}};
+    if (!scenario.tools[carrier].link.empty())
+      return Error{Fault::BadReference, place, {tool.link}, "a tool is carried by one that a hand holds"};
+  }
   for (std::size_t i = 0; i < scenario.cameras.size(); ++i) {
     const Camera& camera = scenario.cameras[i];
     // What a view needs: a direction to look and one that is up, not the same.

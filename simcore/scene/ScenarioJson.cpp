@@ -55,6 +55,10 @@ JsonValue fromTool(const Tool& tool) {
   json.set("friction", tool.friction);
   json.set("home", fromPose(tool.home));
   json.set("perforates", fromTexts(tool.perforates));
+  if (!tool.link.empty()) {
+    json.set("link", tool.link);
+    json.set("linkStiffness", tool.linkStiffness);
+  }
   return json;
 }
 
@@ -73,6 +77,8 @@ Tool toTool(const JsonValue& json) {
   tool.friction = json["friction"].number(tool.friction);
   tool.home = toPose(json["home"]);
   tool.perforates = toTexts(json["perforates"]);
+  tool.link = json["link"].text();
+  tool.linkStiffness = json["linkStiffness"].number(tool.linkStiffness);
   return tool;
 }
 

@@ -30,6 +30,12 @@ Result<Done> checkWishes(const Joint& joint, const Scenario& scenario) {
     if (auto good = rigid(scenario.holds[i].part, "/holds/" + std::to_string(i), "hold-of-soft-part"); !good) return good;
   for (std::size_t i = 0; i < scenario.loads.size(); ++i)
     if (auto good = rigid(scenario.loads[i].part, "/loads/" + std::to_string(i), "load-of-soft-part"); !good) return good;
+  for (std::size_t i = 0; i < scenario.tools.size(); ++i) {
+    const std::string& link = scenario.tools[i].link;
+    const int carrier = link.empty() ? -1 : findTool(scenario, link);
+    if (!link.empty() && (carrier < 0 || !scenario.tools[carrier].link.empty()))
+      return fault(Fault::UnknownId, "/tools/" + std::to_string(i) + "/link", {link, "tool"});
+  }
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     for (const std::string& part : scenario.tools[i].perforates)
       if (findPart(joint, part) < 0) return fault(Fault::UnknownId, "/tools/" + std::to_string(i) + "/perforates", {part, "part"});
@@ -58,6 +64,28 @@ BoundPoseSpring holdSpring(const Hold& hold, const RigidObject& body, int object
   bound.spring = {-body.properties().centre, hold.stiffness, hold.angularStiffness, hold.damping * hold.stiffness,
                   hold.damping * hold.angularStiffness, 1e300};
   return bound;
+}
+
+/// A tool that another one carries hangs on it by zero-length springs at its tip, at the end of its shaft, and beside
+/// both: they hold place and turn. Damped as a hand's coupling is.
+void appendToolLinks(const Model& model, const StepModel& inside, std::vector<CouplingSpring>& springs) {
+  for (int object = 0; object < static_cast<int>(model.objects.size()); ++object) {
+    const SceneObject& scene = model.objects[object];
+    if (!scene.tool || model.scenario.tools[scene.toolIndex].link.empty()) continue;
+    const Tool& tool = model.scenario.tools[scene.toolIndex];
+    int carrier = 0;
+    while (!model.objects[carrier].tool || model.objects[carrier].id != tool.link) ++carrier;
+    const Vec3 ends[] = {{tool.radius, 0, 0}, {-tool.radius, 0, 0}, {0, tool.radius, tool.length}, {0, -tool.radius, tool.length}};
+    for (const Vec3& end : ends) {
+      const Vec3 at_W = tool.home * end;
+      const auto on = [&](int body) {
+        const Pose pose = static_cast<const RigidObject&>(*inside.objects[body]).pose(model.start.q);
+        return VertexBinding{{}, {}, pose.q_WB.conjugate() * (at_W - pose.p_WB)};
+      };
+      const double stiffness = tool.linkStiffness / 4;
+      springs.push_back({-1, carrier, object, on(carrier), on(object), stiffness, tool.dampingRatio * std::sqrt(stiffness * tool.mass / 4)});
+    }
+  }
 }
 
 /// Groups objects, gives each its blocks, and runs the symbolic phase of every island.
@@ -98,7 +126,7 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
 
   for (int object = 0; object < count; ++object) {
     const SceneObject& scene = model.objects[object];
-    if (!scene.tool) continue;
+    if (!scene.tool || !model.scenario.tools[scene.toolIndex].link.empty()) continue;
     const auto& body = static_cast<const RigidObject&>(*inside.objects[object]);
     inside.islands[inside.islandOfObject[object]].poseSprings.push_back(
         toolSpring(model.scenario.tools[scene.toolIndex], body, object, scene.toolIndex));
@@ -185,6 +213,7 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
       }
     }
   }
+  appendToolLinks(*model, *inside, springs);
   compileIslands(*model, *inside, springs);
   for (CouplingIslandModel& island : inside->islands)
     for (BoundPoseSpring& bound : island.poseSprings)

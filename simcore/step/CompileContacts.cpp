@@ -63,6 +63,10 @@ std::vector<double> frictionOf(const Joint& joint, const Part& part) {
   return friction;
 }
 
+bool linked(const Scenario& scenario, const SceneObject& a, const SceneObject& b) {
+  return scenario.tools[a.toolIndex].link == b.id || scenario.tools[b.toolIndex].link == a.id;
+}
+
 bool rough(const SceneObject& object) {
   return std::any_of(object.friction.begin(), object.friction.end(), [](double mu) { return mu > 0; });
 }
@@ -92,6 +96,7 @@ void compileContacts(Model& model) {
       const SceneObject &objectA = model.objects[a], &objectB = model.objects[b];
       if (!objectA.layout.free && !objectB.layout.free) continue;
       if (perforates(model.scenario, objectA, objectB) || perforates(model.scenario, objectB, objectA)) continue;
+      if (objectA.tool && objectB.tool && linked(model.scenario, objectA, objectB)) continue;
       if (!objectA.tool && !objectB.tool && isExcluded(joint, objectA.id, objectB.id)) continue;
       CollisionPair pair;
       pair.surfaceA = a;

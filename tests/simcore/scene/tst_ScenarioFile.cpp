@@ -46,6 +46,8 @@ Scenario sample() {
   ball.kind = ToolKind::Ball;
   bar.id = "bar";
   bar.kind = ToolKind::Bar;
+  bar.link = "finger";
+  bar.linkStiffness = 1500;
   scenario.tools = {probe, finger, ball, bar};
   scenario.effects.friction = Wish::Off;
   scenario.effects.haptics = Wish::On;
@@ -77,6 +79,8 @@ void expectSame(const Scenario& a, const Scenario& b) {
     EXPECT_EQ(p.id, q.id);
     EXPECT_EQ(p.name, q.name);
     EXPECT_EQ(p.kind, q.kind);
+    EXPECT_EQ(p.link, q.link);
+    EXPECT_EQ(p.linkStiffness, q.linkStiffness);
     EXPECT_EQ(
         (std::array{p.length, p.radius, p.mass, p.stiffness, p.angularStiffness, p.dampingRatio, p.forceMax,
                     p.friction}),
@@ -167,6 +171,19 @@ TEST(ScenarioFile, cyclesAndDanglingReferencesAreNamed) {
   for (int i = 0; i < 40; ++i) extending(std::to_string(i), std::to_string(i + 1));
   EXPECT_EQ(faultOf(folder.path("0")).fault, Fault::TooDeep);
   EXPECT_EQ(faultOf(folder.put("f", R"({"schemaVersion": 1, "extends": 3})")).fault, Fault::SchemaMismatch);
+}
+
+TEST(ScenarioFile, aToolIsCarriedByOneThatAHandHolds) {
+  Scenario scenario = sample();
+  scenario.tools[3].link = "hand";
+  EXPECT_EQ(checkScenario(scenario, "a.json").error().fault, Fault::UnknownId);
+  scenario.tools[3].link = "finger";
+  EXPECT_TRUE(checkScenario(scenario, "a.json").ok());
+  scenario.tools[1].link = "probe";
+  const auto chained = checkScenario(scenario, "a.json");
+  ASSERT_FALSE(chained.ok());
+  EXPECT_EQ(chained.error().fault, Fault::BadReference);
+  EXPECT_EQ(chained.error().place.pointer, "/tools/3/link");
 }
 
 TEST(ScenarioFile, aFaultIsNamedInTheFileThatHoldsIt) {

@@ -68,6 +68,34 @@ TEST(Stepper, aFingerPressesTheBlockWithTheForceOfItsCoupling) {
   EXPECT_LT(worst, 1e-3);
 }
 
+TEST(Stepper, aCarriedFingerFeelsWhatItsCarrierCannotTouch) {
+  // The finger that the hand holds passes through the block; the one it carries, by 4000 N/m, does not.
+  Scenario scenario = scenes::blockOnPlateScenario();
+  Tool inner = scenario.tools[0];
+  inner.id = "inner";
+  inner.link = scenario.tools[0].id;
+  inner.linkStiffness = 4000;
+  scenario.tools[0].perforates = {"block", "plate"};
+  scenario.tools.push_back(inner);
+  Session run(Profile::Direct, 1, false, scenario);
+  EXPECT_EQ(run.model->couplingIslandOfObject[2], run.model->couplingIslandOfObject[3]);
+  StepReport report;
+  for (int i = 0; i < 800; ++i) {
+    report = run.step(i < 400 ? 0.06 - 0.03 * i / 400.0 : 0.03);
+    ASSERT_TRUE(report.taken);
+  }
+  EXPECT_EQ(report.toolForces[0].norm(), 0);
+  const auto tipOf = [&](int object, const Tool& tool) {
+    const Pose start = poseAt(run.model->start.q, run.model->objects[object].layout.qOffset);
+    return Vec3(poseAt(run.state.q, run.model->objects[object].layout.qOffset) * (start.q_WB.conjugate() * (tool.home.p_WB - start.p_WB)));
+  };
+  const double outer = tipOf(2, scenario.tools[0]).y(), carried = tipOf(3, inner).y(), force = report.toolForces[1].y();
+  EXPECT_GT(force, 1);
+  // One force goes through both springs.
+  EXPECT_NEAR(force, 4000 * (carried - outer), 0.02 * force);
+  EXPECT_NEAR(force, 800 * (outer - 0.03), 0.02 * force);
+}
+
 TEST(Stepper, directAgreesWithTheReferenceInOneStep) {
   Session direct, reference(Profile::Reference);
   for (int i = 0; i < 300; ++i) direct.step(std::max(0.035, 0.06 - 1e-4 * i));
