@@ -7,11 +7,13 @@
 #include "simcore/scene/JointFile.h"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: generate_shoulder OUT.joint\n");
+  const std::string layers = argc == 3 ? argv[2] : "deep";
+  if (argc < 2 || argc > 3 || (layers != "deep" && layers != "superficial")) {
+    std::fprintf(stderr, "usage: generate_shoulder OUT.joint [deep|superficial]\n");
     return 2;
   }
-  const glenoid::Result<glenoid::Joint> joint = glenoid::generate::makeShoulder();
+  const glenoid::Result<glenoid::Joint> joint =
+      layers == "deep" ? glenoid::generate::makeShoulder() : glenoid::generate::makePalpation();
   if (!joint) {
     std::fprintf(stderr, "%s\n", glenoid::toLogLine(joint.error()).c_str());
     return 1;

@@ -36,33 +36,6 @@ const Row kRows[] = {
     {"biceps-tendon", "Biceps tendon", PartKind::Rigid, 0, {0.95f, 0.93f, 0.85f}},
 };
 
-std::shared_ptr<const TriMesh> inMetres(TriMesh mesh) {
-  for (Vec3& v : mesh.vertices) v *= 1e-3;
-  return std::make_shared<const TriMesh>(std::move(mesh));
-}
-
-/// A coupling of a wanted total stiffness, N/m; stated per area with three figures.
-Coupling bond(const JointRecipe& recipe, const char* a, const char* region, const char* b, double total) {
-  Coupling c;
-  c.id = std::string(a) + "-" + region;
-  c.partA = a;
-  c.partB = b;
-  c.regionA = region;
-  c.damping = 1e-3;
-  for (const PartRecipe& part : recipe.parts) {
-    if (part.id != a) continue;
-    Part shape;
-    shape.visual = part.visual;
-    for (const Region& r : part.regions)
-      if (r.id == region) {
-        const double perArea = total / areaOf(shape, r);
-        const double unit = std::pow(10.0, std::floor(std::log10(perArea)) - 2);
-        c.stiffnessPerArea = std::round(perArea / unit) * unit;
-      }
-  }
-  return c;
-}
-
 std::vector<Exclusion> exclusions() {
   const char* const belly =
       "The belly is bonded to its fossa over a large surface, so the two do not move against each other.";
@@ -90,6 +63,32 @@ std::vector<Exclusion> exclusions() {
 }
 
 }  // namespace
+
+std::shared_ptr<const TriMesh> inMetres(TriMesh mesh) {
+  for (Vec3& v : mesh.vertices) v *= 1e-3;
+  return std::make_shared<const TriMesh>(std::move(mesh));
+}
+
+Coupling bond(const JointRecipe& recipe, const char* a, const char* region, const char* b, double total) {
+  Coupling c;
+  c.id = std::string(a) + "-" + region;
+  c.partA = a;
+  c.partB = b;
+  c.regionA = region;
+  c.damping = 1e-3;
+  for (const PartRecipe& part : recipe.parts) {
+    if (part.id != a) continue;
+    Part shape;
+    shape.visual = part.visual;
+    for (const Region& r : part.regions)
+      if (r.id == region) {
+        const double perArea = total / areaOf(shape, r);
+        const double unit = std::pow(10.0, std::floor(std::log10(perArea)) - 2);
+        c.stiffnessPerArea = std::round(perArea / unit) * unit;
+      }
+  }
+  return c;
+}
 
 JointRecipe shoulderRecipe() {
   const Bones bones = makeBones();
@@ -152,6 +151,10 @@ JointRecipe shoulderRecipe() {
 
 Result<Joint> makeShoulder() {
   return buildJoint(shoulderRecipe());
+}
+
+Result<Joint> makePalpation() {
+  return buildJoint(palpationRecipe());
 }
 
 }  // namespace glenoid::generate

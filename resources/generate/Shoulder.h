@@ -13,4 +13,13 @@ JointRecipe shoulderRecipe();
 /// The recipe carried through the author's pipeline (separation, cells). Fails as buildJoint does.
 Result<Joint> makeShoulder();
 
+/// The same with clavicle, deltoid, skin and fat, for palpation.
+JointRecipe palpationRecipe();
+Result<Joint> makePalpation();
+
+/// Millimetres to metres.
+std::shared_ptr<const TriMesh> inMetres(TriMesh mesh);
+/// A coupling of a wanted total stiffness, N/m; stated per area with three figures.
+Coupling bond(const JointRecipe& recipe, const char* a, const char* region, const char* b, double total);
+
 }  // namespace glenoid::generate

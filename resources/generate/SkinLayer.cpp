@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "resources/generate/Superficial.h"
+
+namespace glenoid::generate {
+namespace {
+
+constexpr double kThickness = 10;   ///< mm, fat and skin
+constexpr double kGap = 1.5;        ///< mm above what lies below
+constexpr double kSide = 78;        ///< degrees to the front and to the back
+constexpr int kCoarseAcross = 9, kCoarseAlong = 10;
+
+/// A fan of half planes that turns from the neck (cut upright along the body) over the joint down the arm (cut level):
+/// where it stands, and which way is out in its middle.
+struct Cut {
+  Vec3 centre, out;
+};
+
+Cut cutAt(double v) {
+  struct Stop {
+    double v, y, z, angle;
+  };
+  // Angle of `out` from upright, degrees.
+  constexpr Stop stops[] = {{0, 0, -62, -6}, {0.25, -4, -28, 8}, {0.45, -10, -2, 42}, {0.62, -24, 8, 80}, {0.8, -62, 18, 92}, {1, -118, 30, 94}};
+  int i = 0;
+  while (i + 2 < int(std::size(stops)) && stops[i + 1].v < v) ++i;
+  const double t = (v - stops[i].v) / (stops[i + 1].v - stops[i].v), s = t * t * (3 - 2 * t);
+  const auto mix = [](double a, double b, double w) { return a + (b - a) * w; };
+  const double angle = mix(stops[i].angle, stops[i + 1].angle, s) * std::numbers::pi / 180;
+  const double x = v < 0.5 ? -8 : -8 + 6 * (v - 0.5) / 0.5;
+  return {{x, mix(stops[i].y, stops[i + 1].y, t), mix(stops[i].z, stops[i + 1].z, t)}, {0, std::cos(angle), std::sin(angle)}};
+}
+
+Vec3 ray(const Cut& cut, double u) {
+  const double a = kSide * std::numbers::pi / 180 * (1 - 2 * u);  // front first
+  return std::cos(a) * cut.out + std::sin(a) * Vec3::UnitX();
+}
+
+/// How far out the ground reaches along each ray of a grid, smoothed from above: never below what it was.
+std::vector<double> heights(const Field& ground, int across, int along) {
+  const auto at = [&](int i, int j) { return j * (across + 1) + i; };
+  std::vector<double> height((across + 1) * (along + 1), 30);
+  for (int j = 0; j <= along; ++j)
+    for (int i = 0; i <= across; ++i) {
+      const Cut cut = cutAt(double(j) / along);
+      const Vec3 d = ray(cut, double(i) / across);
+      double r = 130;
+      while (r > 20) {
+        const double away = ground(cut.centre + r * d);
+        if (away < 0.3) break;
+        r -= std::max(0.3, 0.8 * away);
+      }
+      height[at(i, j)] = std::max(r, 26.0);
+    }
+  const std::vector<double> least = height;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<double> next = height;
+    for (int j = 0; j <= along; ++j)
+      for (int i = 0; i <= across; ++i) {
+        double sum = 0;
+        int n = 0;
+        for (const auto& [di, dj] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+          const int k = i + di, l = j + dj;
+          if (k < 0 || l < 0 || k > across || l > along) continue;
+          sum += height[at(k, l)];
+          ++n;
+        }
+        next[at(i, j)] = std::max(least[at(i, j)], 0.4 * height[at(i, j)] + 0.6 * sum / n);
+      }
+    height = std::move(next);
+  }
+  return height;
+}
+
+/// Two sheets over the grid and a rim that joins them.
+TriMesh shell(const Field& ground, int across, int along) {
+  const std::vector<double> height = heights(ground, across, along);
+  TriMesh mesh;
+  for (const double lift : {kGap, kGap + kThickness})
+    for (int j = 0; j <= along; ++j)
+      for (int i = 0; i <= across; ++i) {
+        const Cut cut = cutAt(double(j) / along);
+        mesh.vertices.push_back(cut.centre + (height[j * (across + 1) + i] + lift) * ray(cut, double(i) / across));
+      }
+  const int sheet = (across + 1) * (along + 1);
+  const auto at = [&](int i, int j) { return j * (across + 1) + i; };
+  const auto quad = [&](int a, int b, int c, int d) {
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (int j = 0; j < along; ++j)
+    for (int i = 0; i < across; ++i) {
+      const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      quad(a, b, c, d);
+      quad(sheet + a, sheet + d, sheet + c, sheet + b);
+    }
+  for (int i = 0; i < across; ++i) {
+    quad(at(i, 0), sheet + at(i, 0), sheet + at(i + 1, 0), at(i + 1, 0));
+    quad(at(i + 1, along), sheet + at(i + 1, along), sheet + at(i, along), at(i, along));
+  }
+  for (int j = 0; j < along; ++j) {
+    quad(at(0, j + 1), sheet + at(0, j + 1), sheet + at(0, j), at(0, j));
+    quad(at(across, j), sheet + at(across, j), sheet + at(across, j + 1), at(across, j + 1));
+  }
+  if (enclosedVolume(mesh) < 0)
+    for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  return mesh;
+}
+
+}  // namespace
+
+Surfaces skinLayer(const Ground& ground) {
+  Surfaces s;
+  s.visual = shell(ground.visual, kSkinAcross, kSkinAlong);
+  s.collision = shell(ground.coarse, kCoarseAcross, kCoarseAlong);
+  keepClear(s.collision, ground.coarse, 0.8);
+  return s;
+}
+
+}  // namespace glenoid::generate
