@@ -135,7 +135,7 @@ JointRecipe palpationRecipe() {
         const Field beside = fieldOf(heads[other].visual);
         part.regions.push_back(regionWhere(heads[1].visual, other == 0 ? "front-septum" : "back-septum",
                                            other == 0 ? "Septum to the clavicular part" : "Septum to the spinal part", "footprint",
-                                           [&](const Vec3& p) { return beside(p) < 2.5; }));
+                                           [&](const Vec3& p) { return beside(p) < 5; }));
       }
     part.materials = {{"muscle-relaxed", ""}};
     recipe.parts.push_back(std::move(part));

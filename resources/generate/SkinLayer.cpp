@@ -11,7 +11,8 @@ namespace {
 constexpr double kThickness = 10;   ///< mm, fat and skin
 constexpr double kGap = 1.5;        ///< mm above what lies below
 constexpr double kSide = 78;        ///< degrees to the front and to the back
-constexpr int kCoarseAcross = 9, kCoarseAlong = 10;
+constexpr int kCoarser = 4;          ///< fine cells along a coarse one
+static_assert(kSkinAcross % kCoarser == 0 && kSkinAlong % kCoarser == 0);
 
 /// A fan of half planes that turns from the neck (cut upright along the body) over the joint down the arm (cut level):
 /// where it stands, and which way is out in its middle.
@@ -56,7 +57,7 @@ std::vector<double> heights(const Field& ground, int across, int along) {
       height[at(i, j)] = std::max(r, 26.0);
     }
   const std::vector<double> least = height;
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < 160; ++round) {
     std::vector<double> next = height;
     for (int j = 0; j <= along; ++j)
       for (int i = 0; i <= across; ++i) {
@@ -75,9 +76,22 @@ std::vector<double> heights(const Field& ground, int across, int along) {
   return height;
 }
 
+/// Of a finer grid every kCoarser-th, the highest of its neighbourhood: chords of the coarse sheet cut less deep.
+std::vector<double> coarser(const std::vector<double>& height) {
+  std::vector<double> result;
+  for (int j = 0; j <= kSkinAlong; j += kCoarser)
+    for (int i = 0; i <= kSkinAcross; i += kCoarser) {
+      double highest = 0;
+      for (int l = std::max(j - 1, 0); l <= std::min(j + 1, kSkinAlong); ++l)
+        for (int k = std::max(i - 1, 0); k <= std::min(i + 1, kSkinAcross); ++k)
+          highest = std::max(highest, height[l * (kSkinAcross + 1) + k]);
+      result.push_back(highest);
+    }
+  return result;
+}
+
 /// Two sheets over the grid and a rim that joins them.
-TriMesh shell(const Field& ground, int across, int along) {
-  const std::vector<double> height = heights(ground, across, along);
+TriMesh shell(const std::vector<double>& height, int across, int along) {
   TriMesh mesh;
   for (const double lift : {kGap, kGap + kThickness})
     for (int j = 0; j <= along; ++j)
@@ -114,8 +128,9 @@ TriMesh shell(const Field& ground, int across, int along) {
 
 Surfaces skinLayer(const Ground& ground) {
   Surfaces s;
-  s.visual = shell(ground.visual, kSkinAcross, kSkinAlong);
-  s.collision = shell(ground.coarse, kCoarseAcross, kCoarseAlong);
+  const std::vector<double> height = heights(unionOf(ground.visual, ground.coarse), kSkinAcross, kSkinAlong);
+  s.visual = shell(height, kSkinAcross, kSkinAlong);
+  s.collision = shell(coarser(height), kSkinAcross / kCoarser, kSkinAlong / kCoarser);
   keepClear(s.collision, ground.coarse, 0.8);
   return s;
 }

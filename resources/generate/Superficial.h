@@ -29,7 +29,7 @@ std::array<Surfaces, 3> deltoid(const Ground& ground);
 /// Skin and fat as one layer over the shoulder from the clavicle to below the deltoid's insertion: 8 mm of fat, 2 mm of
 /// skin, 1.5 mm above what lies below. Its visual surface is two sheets of (kSkinAcross + 1) × (kSkinAlong + 1)
 /// vertices, inner then outer, from front to back and from the neck down the arm.
-inline constexpr int kSkinAcross = 36, kSkinAlong = 34;
+inline constexpr int kSkinAcross = 36, kSkinAlong = 32;
 Surfaces skinLayer(const Ground& ground);
 
 }  // namespace glenoid::generate

@@ -56,5 +56,13 @@ TEST(GenerateShoulder, givesTheJointThatShips) {
   EXPECT_EQ(jointHash(*made), jointHash(*shipped)) << "run generate_shoulder and commit its answer";
 }
 
+TEST(GenerateShoulder, givesTheLayersForPalpationThatShip) {
+  const Result<Joint> made = makePalpation();
+  ASSERT_TRUE(made.ok());
+  const Result<Joint> shipped = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/shoulder-superficial.joint");
+  ASSERT_TRUE(shipped.ok()) << toLogLine(shipped.error());
+  EXPECT_EQ(jointHash(*made), jointHash(*shipped)) << "run generate_shoulder OUT superficial and commit its answer";
+}
+
 }  // namespace
 }  // namespace glenoid::generate

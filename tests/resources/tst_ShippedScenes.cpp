@@ -133,14 +133,5 @@ TEST(Arthroscopy, theRecordingIsTheOneThatIsPlanned) {
   EXPECT_GT(again.clearance, 1e-3);
 }
 
-TEST(Palpation, runsFiniteAndWithoutPenetration) {
-  const Scene scene("palpation");
-  RunOptions options;
-  options.seconds = 1;
-  const RunReport run = runScenario(scene.model, options).value().report;
-  EXPECT_TRUE(run.finite);
-  EXPECT_LT(run.penetrationMax, 1e-3);
-}
-
 }  // namespace
 }  // namespace glenoid

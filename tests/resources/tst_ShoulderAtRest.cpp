@@ -5,6 +5,7 @@
 #include <set>
 
 #include "simcore/collide/Penetration.h"
+#include "simcore/scene/JointFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "simcore/step/Stepper.h"
 #include "tests/resources/ShoulderSizes.h"
@@ -18,7 +19,11 @@ std::shared_ptr<const Model> modelOf(const char* scenario) {
   const Result<Scenario> loaded = loadScenario(path);
   EXPECT_TRUE(loaded.ok()) << (loaded ? "" : toLogLine(loaded.error()));
   if (!loaded) return nullptr;
-  const auto model = compileModel(shippedShoulder(), *loaded);
+  const std::string name = loaded->joint.substr(std::string("builtin:").size());
+  const Result<Joint> joint = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/" + name + ".joint");
+  EXPECT_TRUE(joint.ok()) << name;
+  if (!joint) return nullptr;
+  const auto model = compileModel(*joint, *loaded);
   EXPECT_TRUE(model.ok()) << (model ? "" : toLogLine(model.error()));
   return model ? *model : nullptr;
 }
