@@ -68,7 +68,8 @@ int runProgram(int argc, char** argv) {
   addJointCommand(app, status);
   addReplayCommand(app, status);
   addBenchCommand(app, status);
-  app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder or builtin:shoulder.\n"
+  app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
+             "builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");
 
   if (const std::string word = mistypedCommand(app, argc, argv); !word.empty())

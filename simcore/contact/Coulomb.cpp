@@ -191,12 +191,24 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   for (; report.sweeps < limits.sweeps; ++report.sweeps) sweep(work, n);
 
   constexpr int kPatience = 3;  // Newton steps that may fail to improve before sweeps help out, more each time
+  constexpr int kColdSweeps = 30;
   int sweepsBetween = 5;
   const double tolerance = 1e-11 * (1 + work.d.head(n).cwiseAbs().maxCoeff());
   double best = natural(work, n);
   work.best.head(n) = work.lambda.head(n);
-  int patience = kPatience;
-  for (; report.pivots < limits.pivots && best > tolerance; ++report.pivots) {
+  int patience = kPatience, pivots = limits.pivots;
+  bool afresh = false;
+  for (; report.pivots < pivots && best > tolerance; ++report.pivots) {
+    if (!afresh && 2 * report.pivots >= pivots) {
+      // What last step's impulses led into a cycle may well come right from none.
+      afresh = true;
+      pivots += limits.pivots;
+      work.lambda.head(n).setZero();
+      sweepsBetween = kColdSweeps;
+      for (int k = 0; k < kColdSweeps; ++k, ++report.sweeps) sweep(work, n);
+      natural(work, n);
+      patience = kPatience;
+    }
     if (patience == 0 || !newtonStep(work, n)) {
       work.lambda.head(n) = work.best.head(n);
       for (int k = 0; k < sweepsBetween; ++k, ++report.sweeps) sweep(work, n);

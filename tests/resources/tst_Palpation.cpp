@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "resources/generate/StrokePlan.h"
 #include "simcore/live/PenetrationProbe.h"
+#include "simcore/live/Run.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "simcore/step/Stepper.h"
 
@@ -23,24 +25,9 @@ std::shared_ptr<const Model> palpation() {
   return model;
 }
 
-/// Along the finger, from the joint outwards, and two directions beside it.
-struct Directions {
-  Vec3 out, up, front;
-};
-Directions directions() {
-  const Quat q = palpation()->scenario.tools[0].home.q_WB;
-  const Vec3 out = q * Vec3::UnitZ(), up = (Vec3::UnitY() - out.y() * out).normalized();
-  return {out, up, up.cross(out)};
-}
-
-/// In within half a second to 22 mm below home, then round and round with 0.5 m/s on an oval that crosses the borders of
-/// all parts of the deltoid and the edge of the acromion, out again in the last second.
-Vec3 handAt(double t, double end) {
-  const auto [out, up, front] = directions();
-  const double in = std::clamp(2 * t, 0.0, 1.0) * std::clamp(2 * (end - 1 - t), 0.0, 1.0);
-  const double radius = 0.025, omega = 0.5 / radius, angle = omega * std::max(0.0, t - 0.5);
-  const double wide = std::clamp(t - 0.5, 0.0, 1.0) * radius * (t < end - 1.5 ? 1 : 0);
-  return palpation()->scenario.tools[0].home.p_WB - 0.022 * in * out + wide * (std::sin(angle) * up + std::cos(angle) * front);
+const Recording& input() {
+  static const Recording recording = loadRecording(kResources + "/recordings/palpation.recording").value();
+  return recording;
 }
 
 TEST(Palpation, layersHoldUnderAFingerDraggedAtHalfAMetreASecond) {
@@ -48,22 +35,24 @@ TEST(Palpation, layersHoldUnderAFingerDraggedAtHalfAMetreASecond) {
   Stepper stepper(model, {});
   State state = model->start;
   PenetrationProbe probe(*model, SurfaceKind::Collision);
-  const double dt = model->scenario.dt, end = 6;
+  const double dt = model->scenario.dt;
   std::vector<double> cpu, skinForce, muscleForce;
   double fastest = 0;
-  Vec3 last = handAt(0, end);
-  for (int i = 0; i < std::lround(end / dt); ++i) {
+  Vec3 last = model->scenario.tools[0].home.p_WB;
+  Inputs inputs;
+  for (int i = 0; i < std::lround(inputSeconds(input()) / dt); ++i) {
     const double t = (i + 1) * dt;
-    const Vec3 hand = handAt(t, end);
-    if (t < end - 1.5) fastest = std::max(fastest, (hand - last).norm() / dt);
-    last = hand;
-    const StepReport& report = stepper.step({{{hand, model->scenario.tools[0].home.q_WB}}}, state);
+    handsAt(model->scenario, &input(), t, inputs.hands);
+    const StepReport& report = stepper.step(inputs, state);
     ASSERT_TRUE(report.taken) << t;
     cpu.push_back(report.stepCpuMs);
-    if (t > 1.5 && t < end - 1.5) {
+    for (const RecordingMark& mark : input().marks) {
+      if (t < mark.begin || t >= mark.end) continue;
       skinForce.push_back(report.toolForces[0].norm());
       muscleForce.push_back(report.toolForces[1].norm());
+      fastest = std::max(fastest, (inputs.hands[0].p_WB - last).norm() / dt);
     }
+    last = inputs.hands[0].p_WB;
     probe.look(state.q);
   }
   const auto median = [](std::vector<double> list) {
@@ -81,9 +70,17 @@ TEST(Palpation, layersHoldUnderAFingerDraggedAtHalfAMetreASecond) {
   EXPECT_LT(state.v.cwiseAbs().maxCoeff(), 5e-2);
 }
 
+TEST(Palpation, theRecordingIsTheOneThatIsPlanned) {
+  const Recording again = generate::planStrokes(palpation()->scenario, "finger", "skin");
+  ASSERT_EQ(again.tracks.size(), 1u);
+  ASSERT_EQ(again.tracks[0].keys.size(), input().tracks[0].keys.size());
+  for (std::size_t i = 0; i < again.tracks[0].keys.size(); ++i)
+    EXPECT_LT((again.tracks[0].keys[i].hand.p_WB - input().tracks[0].keys[i].hand.p_WB).norm(), 1e-9) << i;
+}
+
 TEST(Palpation, pressingTheSkinPressesTheMuscleBelow) {
   const auto model = palpation();
-  const auto [out, up, front] = directions();
+  const Vec3 out = model->scenario.tools[0].home.q_WB * Vec3::UnitZ();
   double last = 0;
   for (const double depth : {8e-3, 14e-3, 20e-3}) {
     Stepper stepper(model, {});
