@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <numbers>
 
 #include "resources/generate/Bones.h"
+#include "resources/generate/Flesh.h"
 #include "resources/generate/Isosurface.h"
 #include "resources/generate/Parts.h"
-#include "simcore/mesh/Simplify.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {
 
 namespace {
-
-TriMesh simplified(const TriMesh& mesh, int triangles) {
-  Result<TriMesh> answer = simplify(mesh, triangles);
-  if (!answer) {
-    // The shapes are constants of this program: a failure here is a bug in it, and there is no joint without
-    // bones.
-    std::fprintf(stderr, "simplify: %s\n", toLogLine(answer.error()).c_str());
-    std::abort();
-  }
-  return std::move(*answer);
-}
 
 /// Where the shape ends on the way out from an inner point.
 Vec3 outward(const Field& shape, const Vec3& from, const Vec3& direction, double lift) {

@@ -28,14 +28,15 @@ Vec3 medialEpicondyle() {
 }
 
 Vec3 canalAxis() {
-  // Through the middle of the elbow, passing 6.9 mm lateral and 4 mm in front of the head's centre.
-  const Vec3 top = anatomicalAxes() * Vec3(4.0, 0, 6.9);
+  // Through the middle of the elbow, passing 6.9 mm lateral and 2.6 mm in front of the head's centre (Boileau and
+  // Walch 1997).
+  const Vec3 top = anatomicalAxes() * Vec3(2.6, 0, 6.9);
   const Vec3 elbow = 0.5 * (lateralEpicondyle() + medialEpicondyle());
   return (top - elbow).normalized();
 }
 
 Vec3 canalAt(double y) {
-  const Vec3 top = anatomicalAxes() * Vec3(4.0, 0, 6.9), axis = canalAxis();
+  const Vec3 top = anatomicalAxes() * Vec3(2.6, 0, 6.9), axis = canalAxis();
   return top + (y - top.y()) / axis.y() * axis;
 }
 
@@ -53,7 +54,7 @@ std::vector<Vec3> groovePath() {
           {16.6, -7, 14.4},   {15.1, -16, 15.4}, {13.4, -26, 16.2}};
 }
 
-Field field() {
+Field filledField() {
   const Vec3 axis = canalAxis();
   const auto knot = [](double y, double r) { return Knot{canalAt(y), r}; };
   const Field shaft = chain(
@@ -95,8 +96,10 @@ Field field() {
   const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0}, {{18.0, -8, 5.6}, 7.4}, {{12.5, -24, 8.5}, 6.6}});
   Field bone = smoothUnion({shaft, elbow}, 8);
   bone = smoothUnion({bone, neck, greater, lesser, lateralLip, medialLip}, 5);
-  bone = smoothUnion({bone, sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+  return smoothUnion({bone, sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+}
 
+Field field() {
   // The groove, 5 mm deep and 8 mm wide, runs out below.
   std::vector<Knot> groove;
   const std::vector<Vec3> floor = groovePath();
@@ -106,7 +109,7 @@ Field field() {
     groove.push_back({floor[i] + (radii[i] + lift[i]) * out, radii[i]});
   }
   groove.insert(groove.begin(), {Vec3(18.5, 22, 9.2), 4.6});
-  return smoothSubtract(bone, chain(groove), 1.0);
+  return smoothSubtract(filledField(), chain(groove), 1.0);
 }
 
 }  // namespace glenoid::generate::humerus

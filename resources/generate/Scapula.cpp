@@ -9,7 +9,6 @@ namespace {
 
 const Vec3 kTrigonum(-77.8, -15.9, -113.5), kInferiorAngle(-78.4, -136.1, -78.3);
 const Vec3 kAcromialAngle(-42.9, 23.3, 1.4), kAcromionTip(4.6, 38.0, -5.8);
-constexpr double kSocketRadius = 30, kSocketDepth = 27.2;  // bone under the cartilage, from the head's centre
 
 /// How far the blade bends dorsally (+): the part above the spine dips forward to the coracoid's root, the
 /// fossa below is hollow in front.
@@ -88,6 +87,10 @@ Field spineField() {
 }
 
 }  // namespace
+
+double socketHeight(double x, double y) {
+  return kSocketRadius - std::sqrt(std::max(kSocketRadius * kSocketRadius - x * x - y * y, 0.0));
+}
 
 Frame blade() {
   const Vec3 up = (kTrigonum - kInferiorAngle).normalized();
