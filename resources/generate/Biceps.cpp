@@ -74,10 +74,9 @@ std::vector<Vec3> bicepsPath() {
     path.push_back((kOverHead + 1.2 * std::pow(1 - i / 8.0, 2)) * overHead(angle));
   }
   const std::vector<Vec3> floor = humerus::groovePath();
-  const double lift[] = {0, 3.4, 3.3, 3.3, 3.6, 4.6};
   for (std::size_t i = 1; i < floor.size(); ++i) {
-    const Vec3 out = (floor[i] - humerus::canalAt(floor[i].y())).normalized();
-    path.push_back(floor[i] + lift[i] * out);
+    const Vec3 c = humerus::canalAt(floor[i].y()), out = (floor[i] - c).normalized();
+    path.push_back(i < 3 ? Vec3(floor[i] + 3.35 * out) : Vec3(settle(shaft, c, out, 0, 0) + 3.2 * out));
   }
   // Below the groove it lies on the shaft.
   for (const double y : {-38.0, -52.0}) {
@@ -90,7 +89,7 @@ std::vector<Vec3> bicepsPath() {
 Surfaces bicepsTendon(const Bones& bones) {
   // Flat over the head, rounder and narrower in the groove.
   Tube tube = cord(bicepsPath(), 8, [](std::size_t i) {
-    return i < 7 ? Size{kBicepsHalfWidth, 2 * kBicepsHalfThickness} : Size{kBicepsHalfWidth - 0.6, 4.4};
+    return i < 7 ? Size{kBicepsHalfWidth, 2 * kBicepsHalfThickness} : Size{kBicepsHalfWidth - 1.0, 4.3};
   });
   tube.phase = 0.5;
   // The tendon is rigid and its two surfaces are one: it keeps 0.8 mm from what it slides on, fine and
@@ -129,7 +128,7 @@ Surfaces labrum(const Bones& bones) {
     std::vector<std::vector<Vec3>> rings;
     for (int j = 0; j < count; ++j) {
       const RimPoint rim = rimAt(double(j) / count);
-      const Vec3 inner = rim.at - 2.2 * rim.out - 0.1 * n, outer = rim.at + 2.2 * rim.out - 2.6 * n;
+      const Vec3 inner = rim.at - 2.0 * rim.out - 0.1 * n, outer = rim.at + 2.1 * rim.out - 2.4 * n;
       const Vec3 toEdge = (rim.at + 1.4 * rim.out).normalized();
       const Vec3 edge = settle(head, 30 * toEdge, toEdge, 0.9, 10);
       if (rounded)

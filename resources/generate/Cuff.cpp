@@ -15,6 +15,7 @@ namespace {
 using scapula::onBlade;
 
 constexpr double kSink = -1.3;  ///< mm: how deep the swept belly settles into bone before bone is taken away
+constexpr double kSunk = -1.6;  ///< mm: the same under a footprint
 constexpr double kBonded = 0.05;  ///< mm between a bonded surface and bone
 
 Vec3 inBlade(double x, double y, double z) {
@@ -40,6 +41,7 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   tube.places = coarseRings;  // most of them where the tendon lies on the head
   for (Station& station : tube.stations) {
     const bool bonded = station.clearance < 0;
+    station.reach = std::min(station.reach, 10.0);
     station.clearance = std::max(station.clearance, 0.1);
     if (station.radial < 0.6) continue;
     // Where the tendon is bonded it need not touch: there it stays out of the contacts' reach.
@@ -56,51 +58,51 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
 std::vector<Station> supraspinatusPath() {
   const Vec3 up = inBlade(0, 0.35, 0.93);
   return {
-      {onBlade(7, 12, 4), up, 5, 4, kSink, 8, 0},
-      {onBlade(20, 17, 5), up, 11.5, 13, kSink, 12, 0},
-      {onBlade(44, 19, 6), up, 16, 23, kSink, 14, 0},
-      {onBlade(68, 15, 7), up, 15, 23, kSink, 14, 0},
-      {onBlade(90, 13.5, 9), inBlade(0, 0.6, 0.8), 12, 16, 0.3, 4, 0},
-      {{-13, 22, -20}, {-0.3, 0.85, -0.4}, 11.5, 8.6, 0.8, 0, 0.5},
-      {{-5, 26, -6}, {-0.15, 0.98, -0.1}, 11.5, 6.4, 0.9, 4, 1},
-      {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.5, 5.6, 0.8, 5, 1},
-      {{2.0, 22, 16.5}, {0.05, 0.75, 0.66}, 11.4, 5.5, -0.3, 4, 1},
-      {{2.8, 18, 23}, {0.05, 0.6, 0.8}, 11.2, 4.6, -0.6, 4, 1},
-      {{3.2, 13, 28}, {0.05, 0.5, 0.85}, 10.5, 3.6, -0.6, 4, 1},
+      {onBlade(13, 15, 4), up, 6, 5, kSink, 8, 0},
+      {onBlade(24, 18, 5), up, 13, 14, kSink, 12, 0},
+      {onBlade(46, 19, 6), up, 17.5, 23.5, kSink, 14, 0},
+      {onBlade(69, 15, 7), up, 16, 23.5, kSink, 14, 0},
+      {onBlade(90, 13.5, 9), inBlade(0, 0.6, 0.8), 12.5, 16.5, 0.3, 4, 0},
+      {{-13, 22, -20}, {-0.3, 0.85, -0.4}, 11.5, 9, 0.8, 0, 0.5},
+      {{-5, 26, -6}, {-0.15, 0.98, -0.1}, 11.5, 6.8, 0.9, 4, 1},
+      {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.6, 6.2, 0.8, 5, 1},
+      {{1.2, 22, 16.5}, {0.05, 0.75, 0.66}, 12.2, 6.2, -0.3, 5, 1},
+      {{1.8, 18, 23}, {0.05, 0.6, 0.8}, 12.4, 6.6, kSunk, 5, 1},
+      {{2.2, 13.5, 27.5}, {0.05, 0.5, 0.85}, 11.8, 6.2, kSunk, 5, 1},
   };
 }
 
 std::vector<Station> infraspinatusPath() {
   const Vec3 up = inBlade(0, 0, 1);
   return {
-      {onBlade(4, -50, 4), up, 24, 5, kSink, 8, 0},
-      {onBlade(15, -52, 5), up, 42, 15, kSink, 10, 0},
-      {onBlade(40, -46, 5), up, 37, 24, kSink, 10, 0},
+      {onBlade(5, -54, 4), up, 26, 5, kSink, 8, 0},
+      {onBlade(16, -55, 5), up, 45, 15, kSink, 10, 0},
+      {onBlade(40, -48, 5), up, 38, 24, kSink, 10, 0},
       {onBlade(68, -35, 6), up, 27, 25, kSink, 10, 0},
       {onBlade(93, -22, 9), inBlade(0.2, 0.1, 1), 17, 17, 0.3, 4, 0},
       {{-31.5, -4, -12}, {-0.95, 0.1, -0.2}, 15, 10.5, 0.8, 0, 0.5},
-      {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 6.6, 0.9, 4, 1},
-      {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.5, 5.6, 0.5, 5, 1},
-      {{-14.5, 6, 22}, {-0.55, 0.22, 0.8}, 14.5, 5.2, -0.5, 6, 1},
-      {{-7.5, 6.0, 27.5}, {-0.3, 0.25, 0.92}, 13.8, 4.4, -0.6, 6, 1},
-      {{-1.5, 5.5, 30}, {-0.1, 0.25, 0.97}, 12.5, 3.6, -0.6, 6, 1},
+      {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 7.0, 0.9, 4, 1},
+      {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.6, 6.4, 0.7, 5, 1},
+      {{-14, 5.5, 22.3}, {-0.55, 0.22, 0.8}, 15.2, 6.2, -0.3, 7, 1},
+      {{-7.5, 5.5, 27.5}, {-0.3, 0.25, 0.92}, 15.4, 6.6, kSunk, 7, 1},
+      {{-2, 5, 29.8}, {-0.1, 0.25, 0.97}, 14.6, 6.2, kSunk, 7, 1},
   };
 }
 
 std::vector<Station> subscapularisPath() {
   const Vec3 up = inBlade(0, 0, -1);
   return {
-      {onBlade(3, -44, -4), up, 26, 4, kSink, 8, 0},
-      {onBlade(14, -44, -5), up, 49, 11, kSink, 10, 0},
-      {onBlade(40, -40, -5), up, 39, 20.5, kSink, 10, 0},
-      {onBlade(68, -32, -6), up, 27, 22, kSink, 10, 0},
-      {onBlade(95, -23, -10), inBlade(0.3, 0, -1), 21, 17, 0.3, 4, 0},
-      {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19, 10.5, 0.8, 0, 0.5},
-      {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 7, 0.9, 6, 1},
-      {{24, -6, -11}, {0.9, -0.1, -0.4}, 19.8, 5.8, 0.4, 5, 1},
-      {{26.5, -6, -6}, {1, 0, -0.2}, 19.8, 5.2, -0.5, 6, 1},
-      {{27.8, -6, -0.5}, {1, 0, 0.0}, 19, 4.2, -0.6, 6, 1},
-      {{27.8, -6, 4.0}, {1, 0, 0.2}, 17.5, 3.6, -0.6, 6, 1},
+      {onBlade(4, -46, -4), up, 28, 4, kSink, 8, 0},
+      {onBlade(15, -46, -5), up, 49, 12, kSink, 10, 0},
+      {onBlade(40, -40, -5), up, 39, 23, kSink, 10, 0},
+      {onBlade(68, -32, -6), up, 27, 24, kSink, 10, 0},
+      {onBlade(95, -23, -10), inBlade(0.3, 0, -1), 20, 16.5, 0.3, 4, 0},
+      {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19, 10, 0.8, 0, 0.5},
+      {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 6.6, 0.9, 6, 1},
+      {{24, -6, -11}, {0.9, -0.1, -0.4}, 20.5, 6.0, 0.3, 8, 1},
+      {{26.5, -6, -6}, {1, 0, -0.2}, 21.5, 6.4, kSunk, 16, 1},
+      {{27.8, -6, -0.5}, {1, 0, 0.0}, 21, 6.4, kSunk, 16, 1},
+      {{27.8, -6, 4.0}, {1, 0, 0.2}, 19, 6.2, kSunk, 16, 1},
   };
 }
 

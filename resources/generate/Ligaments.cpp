@@ -46,17 +46,17 @@ Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps) {
   tube.roundness = 0.6;
   tube.endLength = 0.10;
   tube.stations = {
-      {{24.0, 12.5, -34}, {0.75, 0.65, 0.1}, 5.0, 2.6, 0, 0, 0},
-      {{25.3, 16.2, -25}, {0.65, 0.75, 0}, 6.4, 3, 0, 0, 0},
+      {{25.0, 14.0, -30.5}, {0.75, 0.65, 0.1}, 5.4, 2.8, 0, 0, 0},
+      {{25.2, 17.0, -23.5}, {0.65, 0.75, 0}, 6.4, 3, 0, 0, 0},
       {{24.0, 21.5, -14}, {0.65, 0.75, -0.1}, 7.4, 3.2, 0.8, 0, 0.3},
       {{22.4, 23.4, -3}, {0.68, 0.72, 0}, 7.6, 3.1, 0.8, 0, 1},
       {{20.4, 24.0, 5}, {0.66, 0.74, 0.15}, 7.4, 2.8, 0.6, 0, 1},
-      {{17.4, 22.4, 11.5}, {0.62, 0.74, 0.3}, 6.8, 2.4, 0.2, 0, 1},
-      {{13.2, 18.6, 17.0}, {0.55, 0.7, 0.45}, 6.0, 1.8, -0.3, 2, 1},
+      {{17.6, 22.6, 10.8}, {0.62, 0.74, 0.3}, 6.8, 2.5, 0.2, 0, 1},
+      {{14.0, 19.2, 15.8}, {0.55, 0.7, 0.45}, 6.0, 1.8, -0.3, 6, 1},
   };
-  const Field cord = raised(fieldOf(biceps), 0.8);
+  const Field cord = raised(fieldOf(biceps), 1.7);
   // Bridges the groove instead of dipping into it.
-  tube.bone = smoothUnion({humerus::filledField(), raised(fieldOf(biceps), 1.0)}, 8);
+  tube.bone = smoothUnion({humerus::filledField(), raised(fieldOf(biceps), 1.4)}, 8);
   Surfaces s;
   s.visual = sweep(tube, 20, 13);
   tube.bone = unionOf(bones.humerusCoarse, cord);
@@ -76,7 +76,7 @@ Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps) {
   tube.roundness = 0.6;
   tube.endLength = 0.12;
   const std::vector<Vec3> path{
-      {27.0, 1.5, 5.0}, {26.0, 1.8, 9.5}, {22.5, 2.0, 16.2}, {18.5, 2.2, 22.0}, {13.0, 2.4, 26.0}};
+      {26.6, 1.5, 7.0}, {25.3, 1.8, 10.6}, {22.4, 2.0, 16.2}, {19.2, 2.2, 20.8}, {15.6, 2.4, 24.0}};
   const double thickness[] = {1.0, 1.6, 1.7, 1.6, 1.0};
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool atEnd = i != 2;

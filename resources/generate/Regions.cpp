@@ -205,7 +205,7 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
   if (id == "labrum")
     return {regionWhere(visual, "base", "Labrum glenoidale, basis (base on the glenoid rim)", "footprint", nearScapula),
             regionWhere(visual, "biceps-anchor", "Labrum glenoidale, pars superior (biceps anchor)", "landmark",
-                        [at = scapula::glenoid().toWorld({-1, 18.7, 5.5})](const Vec3& p) {
+                        [at = scapula::glenoid().toWorld({0.2, 19.5, 5.8})](const Vec3& p) {
                           return (p - at).norm() < 8;
                         })};
   if (id == "labrum-tendon")
@@ -234,13 +234,13 @@ std::vector<Landmark> landmarksOf(const std::string& id, const Bones& bones) {
     add("acromial-angle", "Angulus acromii (acromial angle, AA)", onScapula({-42.9, 22.5, 1.4}));
     add("acromion-tip", "Acromion, apex (front tip of the acromion)", onScapula({4.6, 37.6, -5.8}));
     add("acromion-anterolateral", "Acromion, angulus anterior (front corner)", onScapula({1.1, 37.4, -0.6}));
-    add("acromion-lateral", "Acromion, margo lateralis (side edge)", onScapula({-19.5, 35.4, 6.6}));
+    add("acromion-lateral", "Acromion, margo lateralis (side edge)", onScapula({-19.5, 34.4, 6.6}));
     add("coracoid-tip", "Apex processus coracoidei (coracoid tip, PC)", onScapula({29.2, 11.1, -30.3}));
     add("glenoid-centre", "Cavitas glenoidalis (centre of the glenoid)", socket.origin);
-    add("glenoid-superior", "Cavitas glenoidalis, superior (upper end)", rim(0, 18.5));
-    add("glenoid-inferior", "Cavitas glenoidalis, inferior (lower end)", rim(0, -18.4));
-    add("glenoid-anterior", "Cavitas glenoidalis, anterior (front)", rim(14, -6));
-    add("glenoid-posterior", "Cavitas glenoidalis, posterior (back)", rim(-13.8, -6));
+    add("glenoid-superior", "Cavitas glenoidalis, superior (upper end)", rim(1.6, 18.7));
+    add("glenoid-inferior", "Cavitas glenoidalis, inferior (lower end)", rim(1.6, -17.9));
+    add("glenoid-anterior", "Cavitas glenoidalis, anterior (front)", rim(15, -5.2));
+    add("glenoid-posterior", "Cavitas glenoidalis, posterior (back)", rim(-12.4, -5.2));
     add("supraglenoid-tubercle", "Tuberculum supraglenoidale (biceps anchor)", onScapula({-10.5, 14.5, -24.9}));
   }
   if (id == "humerus") {

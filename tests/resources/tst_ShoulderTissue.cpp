@@ -49,24 +49,22 @@ TEST(Cuff, tendonsAndFootprintsMeasureAsPublished) {
   for (const Row& row : rows) {
     const Part& part = partOf(shippedShoulder(), row.id);
     const TriMesh footprint = surfaceOf(part, "insertion"), mesh = visualOf(row.id);
-    const Extents size = principalExtents(footprint);
-    expectMeasure(std::string(row.name) + ", footprint along the cartilage", size.size[0], "mm",
+    // Fibres run from the tendon's middle to the footprint's, seen from the head's centre.
+    const Vec3 middle = centroidOf(footprint), out = middle.normalized();
+    const Vec3 back = centroidOf(surfaceOf(part, "tendon")) - middle;
+    const Vec3 fibre = (back - back.dot(out) * out).normalized(), along = fibre.cross(out);
+    expectMeasure(std::string(row.name) + ", footprint along the cartilage", extentAlong(footprint.vertices, along), "mm",
                   tenth(row.length, "Curtis 2006"));
-    expectMeasure(std::string(row.name) + ", footprint away from it", size.size[1], "mm",
+    expectMeasure(std::string(row.name) + ", footprint away from it", extentAlong(footprint.vertices, fibre), "mm",
                   tenth(row.width, "Curtis 2006"));
     // The paper gives no areas: a rectangle of its length and width is the most that they can be.
     reportMeasure(std::string(row.name) + ", footprint area", areaOf(footprint), "mm2",
                   tenth(row.length * row.width, "Curtis 2006, length x width"), "only a rectangle has this area");
-    // A section across the fibres between head and footprint: across the long axis of the footprint, seen from the
-    // head's centre, 12 mm before its middle.
-    const Vec3 middle = centroidOf(footprint), along = size.axes.col(0), out = middle.normalized();
-    Vec3 fibre = along.cross(out).normalized();
-    const Vec3 belly = centroidOf(mesh);
-    if (fibre.dot(belly - middle) < 0) fibre = -fibre;
-    const double angle = 13.0 / middle.norm();
+    // A section across the fibres, over the head, 15 mm before the footprint's middle.
+    const double angle = 15.0 / middle.norm();
     const Vec3 at = (std::cos(angle) * middle + std::sin(angle) * middle.norm() * fibre) * (1 + 2.0 / middle.norm());
     const Vec3 across = (std::cos(angle) * fibre - std::sin(angle) * out).normalized();
-    const Cut cut = cutBy(mesh, at, across, 0.62 * row.length + 4);
+    const Cut cut = cutBy(mesh, at, across, 0.6 * row.length + 12);
     const double width = extentAlong(cut.points, along), thickness = cut.area / width;
     expectMeasure(std::string(row.name) + ", width of the tendon", width, "mm", tenth(row.length, "Curtis 2006"));
     expectMeasure(std::string(row.name) + ", thickness of the tendon", thickness, "mm",
@@ -135,11 +133,11 @@ TEST(Biceps, measuresAsPublished) {
     return std::pair(widest, least);
   };
   const auto [wide, flat] = sizeAt(Vec3(4, 27.5, -9), Vec3(0.78, 0.1, 0.6));
-  const auto [grooveWide, grooveFlat] = sizeAt(Vec3(18.5, 0, 14.6), Vec3(0.05, -1, 0.1));
+  const Cut inGroove = cutBy(mesh, Vec3(18.5, 0, 14.6), Vec3(0.05, -1, 0.1), 9);
+  const double grooveWide = extentAlong(inGroove.points, Vec3(-0.65, 0, 0.76));
   expectMeasure("biceps tendon over the head, width", wide, "mm", tenth(6, "anatomy.md 2.8"));
   expectMeasure("biceps tendon over the head, thickness", flat, "mm", tenth(4.5, "anatomy.md 2.8"));
   expectMeasure("biceps tendon in the groove, width", grooveWide, "mm", tenth(4.5, "Khan 2020: 4.3 to 4.7"));
-  (void)grooveFlat;
   double least = 1e9;
   for (const auto& t : mesh.triangles) {
     const Vec3 p = (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
@@ -166,6 +164,7 @@ TEST(Labrum, measuresAsPublished) {
   const Joint& joint = shippedShoulder();
   const Part& bone = partOf(joint, "scapula");
   const TriMesh ring = visualOf("labrum");
+  const TriangleTree boneTree(visualOf("scapula"));
   const Vec3 up = (landmark(bone, "glenoid-superior") - landmark(bone, "glenoid-inferior")).normalized();
   const Vec3 across = landmark(bone, "glenoid-anterior") - landmark(bone, "glenoid-posterior");
   const Vec3 front = (across - across.dot(up) * up).normalized(), normal = front.cross(up);
@@ -184,18 +183,20 @@ TEST(Labrum, measuresAsPublished) {
     for (const Vec3& p : cut.points)
       if ((p - centre).dot(out) > 0) side.push_back(p);
     ASSERT_FALSE(side.empty());
-    // The base is the longest chord; the free edge stands highest over it, toward the head.
-    Vec3 b0 = side[0], b1 = side[0], top = side[0];
-    for (const Vec3& p : side)
-      if (p.dot(normal) > top.dot(normal)) top = p;
-    const auto inner = [&](const Vec3& p) { return (p - centre).dot(out); };
+    // The base lies on bone; the free edge is what stands farthest from it.
+    double far = 0;
+    Vec3 top = side[0];
+    std::vector<Vec3> base;
     for (const Vec3& p : side) {
-      if (inner(p) < inner(b0)) b0 = p;
-      if (p.dot(normal) < b1.dot(normal)) b1 = p;
+      const double off = boneTree.closest(p).distance;
+      if (off > far) far = off, top = p;
+      if (off < 0.8) base.push_back(p);
     }
-    const Vec3 base = (b1 - b0).normalized();
-    width += (b1 - b0).norm() / kCuts;
-    height += ((top - b0) - (top - b0).dot(base) * base).norm() / kCuts;
+    double wide = 0;
+    for (const Vec3& p : base)
+      for (const Vec3& q : base) wide = std::max(wide, (p - q).norm());
+    width += wide / kCuts;
+    height += far / kCuts;
     edge += (top - centre).dot(normal) / kCuts;
     edges.push_back(top);
   }
