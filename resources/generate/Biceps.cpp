@@ -89,7 +89,7 @@ std::vector<Vec3> bicepsPath() {
 Surfaces bicepsTendon(const Bones& bones) {
   // Flat over the head, rounder and narrower in the groove.
   Tube tube = cord(bicepsPath(), 8, [](std::size_t i) {
-    return i < 7 ? Size{kBicepsHalfWidth, 2 * kBicepsHalfThickness} : Size{kBicepsHalfWidth - 1.0, 4.3};
+    return i < 7 ? Size{kBicepsHalfWidth, 2 * kBicepsHalfThickness} : Size{kBicepsHalfWidth - 1.2, 4.3};
   });
   tube.phase = 0.5;
   // The tendon is rigid and its two surfaces are one: it keeps 0.8 mm from what it slides on, fine and
@@ -123,13 +123,14 @@ Surfaces labrumTendon(const Bones& bones) {
 
 Surfaces labrum(const Bones& bones) {
   const Vec3 n = scapula::glenoid().axes.col(2);
-  // A triangle on the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
+  // A triangle over the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
   const auto ring = [&](int count, bool rounded, const Field& head) {
     std::vector<std::vector<Vec3>> rings;
     for (int j = 0; j < count; ++j) {
       const RimPoint rim = rimAt(double(j) / count);
-      const Vec3 inner = rim.at - 2.0 * rim.out - 0.1 * n, outer = rim.at + 2.1 * rim.out - 2.4 * n;
-      const Vec3 toEdge = (rim.at + 1.4 * rim.out).normalized();
+      const Vec3 inner = project(bones.scapulaShape, rim.at - 3.7 * rim.out, 0.1),
+                 outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - 4.2 * n, 0.4);
+      const Vec3 toEdge = (rim.at + 0.7 * rim.out).normalized();
       const Vec3 edge = settle(head, 30 * toEdge, toEdge, 0.9, 10);
       if (rounded)
         rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,

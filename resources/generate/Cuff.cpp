@@ -41,7 +41,7 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   tube.places = coarseRings;  // most of them where the tendon lies on the head
   for (Station& station : tube.stations) {
     const bool bonded = station.clearance < 0;
-    station.reach = std::min(station.reach, 10.0);
+    station.reach = std::min(station.reach, 6.0);
     station.clearance = std::max(station.clearance, 0.1);
     if (station.radial < 0.6) continue;
     // Where the tendon is bonded it need not touch: there it stays out of the contacts' reach.
@@ -58,14 +58,14 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
 std::vector<Station> supraspinatusPath() {
   const Vec3 up = inBlade(0, 0.35, 0.93);
   return {
-      {onBlade(13, 15, 4), up, 6, 5, kSink, 8, 0},
-      {onBlade(24, 18, 5), up, 13, 14, kSink, 12, 0},
-      {onBlade(46, 19, 6), up, 17.5, 23.5, kSink, 14, 0},
-      {onBlade(69, 15, 7), up, 16, 23.5, kSink, 14, 0},
+      {onBlade(17, 16, 4), up, 6, 5, kSink, 8, 0},
+      {onBlade(27, 18, 5), up, 13.5, 15, kSink, 12, 0},
+      {onBlade(46, 19, 6), up, 18, 22.9, kSink, 14, 0},
+      {onBlade(69, 15, 7), up, 16.5, 22.9, kSink, 14, 0},
       {onBlade(90, 13.5, 9), inBlade(0, 0.6, 0.8), 12.5, 16.5, 0.3, 4, 0},
       {{-13, 22, -20}, {-0.3, 0.85, -0.4}, 11.5, 9, 0.8, 0, 0.5},
       {{-5, 26, -6}, {-0.15, 0.98, -0.1}, 11.5, 6.8, 0.9, 4, 1},
-      {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.6, 6.2, 0.8, 5, 1},
+      {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.6, 6.8, 0.8, 5, 1},
       {{1.2, 22, 16.5}, {0.05, 0.75, 0.66}, 12.2, 6.2, -0.3, 5, 1},
       {{1.8, 18, 23}, {0.05, 0.6, 0.8}, 12.4, 6.6, kSunk, 5, 1},
       {{2.2, 13.5, 27.5}, {0.05, 0.5, 0.85}, 11.8, 6.2, kSunk, 5, 1},
@@ -100,9 +100,9 @@ std::vector<Station> subscapularisPath() {
       {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19, 10, 0.8, 0, 0.5},
       {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 6.6, 0.9, 6, 1},
       {{24, -6, -11}, {0.9, -0.1, -0.4}, 20.5, 6.0, 0.3, 8, 1},
-      {{26.5, -6, -6}, {1, 0, -0.2}, 21.5, 6.4, kSunk, 16, 1},
-      {{27.8, -6, -0.5}, {1, 0, 0.0}, 21, 6.4, kSunk, 16, 1},
-      {{27.8, -6, 4.0}, {1, 0, 0.2}, 19, 6.2, kSunk, 16, 1},
+      {{26.5, -5.5, -6}, {1, 0, -0.2}, 20.5, 6.4, kSunk, 12, 0.8},
+      {{27.8, -5, -0.5}, {1, 0, 0.0}, 19.5, 6.4, kSunk, 12, 0.8},
+      {{27.8, -4.5, 3.8}, {1, 0, 0.2}, 17, 6.0, kSunk, 12, 0.8},
   };
 }
 

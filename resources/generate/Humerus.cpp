@@ -108,7 +108,7 @@ Field field() {
   // The groove, 5 mm deep and 8 mm wide, runs out below.
   std::vector<Knot> groove;
   const std::vector<Vec3> floor = groovePath();
-  const double radii[] = {4.3, 4.2, 4.1, 4.1, 4.3, 5.0}, lift[] = {0, 0, 0, 1.5, 4.4, 8.0};
+  const double radii[] = {4.5, 4.5, 4.5, 4.5, 4.6, 5.0}, lift[] = {0, 0, 0, 1.5, 4.4, 8.0};
   for (std::size_t i = 0; i < floor.size(); ++i) {
     const Vec3 out = (floor[i] - canalAt(floor[i].y())).normalized();
     groove.push_back({floor[i] + (radii[i] + lift[i]) * out, radii[i]});

@@ -54,7 +54,7 @@ Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps) {
       {{17.6, 22.6, 10.8}, {0.62, 0.74, 0.3}, 6.8, 2.5, 0.2, 0, 1},
       {{14.0, 19.2, 15.8}, {0.55, 0.7, 0.45}, 6.0, 1.8, -0.3, 6, 1},
   };
-  const Field cord = raised(fieldOf(biceps), 1.7);
+  const Field cord = raised(fieldOf(biceps), 2.1);
   // Bridges the groove instead of dipping into it.
   tube.bone = smoothUnion({humerus::filledField(), raised(fieldOf(biceps), 1.4)}, 8);
   Surfaces s;
@@ -87,7 +87,7 @@ Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps) {
   tube.bone = smoothUnion({humerus::filledField(), cord}, 3);
   Surfaces s;
   s.visual = sweep(tube, 12, 11);
-  tube.bone = unionOf(bones.humerusCoarse, raised(fieldOf(biceps), 1.1));
+  tube.bone = unionOf(bones.humerusCoarse, raised(fieldOf(biceps), 1.45));
   for (Station& station : tube.stations) {
     station.thickness = 1.8;
     if (station.reach < 5) station.reach = 0;

@@ -32,7 +32,7 @@ Surfaces subscapularis(const Bones& bones);
 
 /// Middle of the long biceps tendon from its root to below the groove, and its half sizes.
 std::vector<Vec3> bicepsPath();
-inline constexpr double kBicepsHalfWidth = 3.3, kBicepsHalfThickness = 2.25;
+inline constexpr double kBicepsHalfWidth = 3.5, kBicepsHalfThickness = 2.25;
 Surfaces bicepsTendon(const Bones& bones);
 Surfaces labrumTendon(const Bones& bones);
 Surfaces labrum(const Bones& bones);

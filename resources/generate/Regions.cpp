@@ -35,14 +35,13 @@ double toPath(const std::vector<Vec3>& path, const Vec3& p) {
   return best;
 }
 
-/// Where a muscle's station path meets bone: inside its width, from a place on, and near its surface.
-bool underPath(const std::vector<Station>& path, double from, const Vec3& p) {
-  const double s = placeAlong(path, p);
-  if (s < from || s > 0.999) return false;
-  const Station st = stationAt(path, s);
-  const Vec3 along = (stationAt(path, s + 0.01).base - stationAt(path, s - 0.01).base).normalized();
-  const Vec3 d = p - st.base, across = along.cross(st.up).normalized();
-  return std::abs(d.dot(across)) < st.halfWidth && d.norm() < st.halfWidth + 4;
+/// Whether a point of the humerus lies in a muscle's footprint: `length` along the border of the cartilage, `width`
+/// away from it, about the middle of the muscle's last stations.
+bool inFootprint(const std::vector<Station>& path, double length, double width, const Vec3& p) {
+  const Station &before = path[path.size() - 3], &middle = path[path.size() - 2], &after = path.back();
+  const Vec3 out = middle.up.normalized(), way = after.base - before.base;
+  const Vec3 along = way.cross(out).normalized(), fibre = out.cross(along), d = p - middle.base;
+  return std::abs(d.dot(along)) < length / 2 && std::abs(d.dot(fibre)) < width / 2 && std::abs(d.dot(out)) < 12;
 }
 
 std::vector<Region> scapulaRegions(const TriMesh& visual) {
@@ -88,10 +87,9 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
   const auto onCartilage = [&](const Vec3& p) {
     return p.dot(axis) > humerus::kHeadRadius - 19 && std::abs(p.norm() - humerus::kHeadRadius) < 0.6;
   };
-  const auto facet = [](const std::vector<Station>& path) {
-    return [path](const Vec3& p) {
-      return p.norm() > humerus::kHeadRadius - 1.5 && underPath(path, 0.84, p);
-    };
+  // Less than published (Curtis 2006) by what whole triangles stand over the border.
+  const auto facet = [](const std::vector<Station>& path, double length, double width) {
+    return [=](const Vec3& p) { return inFootprint(path, length - 2, width - 4.5, p); };
   };
   return {
       regionWhere(visual, "head-cartilage", "Caput humeri (cartilage of the humeral head)", "cartilage", onCartilage),
@@ -103,9 +101,9 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
                            p.norm() > humerus::kHeadRadius + 0.8;
                   }),
       regionWhere(visual, "superior-facet", "Tuberculum majus, facies superior (supraspinatus facet)", "footprint",
-                  facet(supraspinatusPath())),
+                  facet(supraspinatusPath(), 23, 16)),
       regionWhere(visual, "middle-facet", "Tuberculum majus, facies media (infraspinatus facet)", "footprint",
-                  facet(infraspinatusPath())),
+                  facet(infraspinatusPath(), 29, 19)),
       regionWhere(visual, "inferior-facet", "Tuberculum majus, facies inferior (teres minor facet)", "footprint",
                   [&](const Vec3& p) {
                     return toPath({{-14, -11, 22}, {-4, -11, 27}}, p) < 7 && p.norm() > humerus::kHeadRadius + 0.5;
@@ -116,7 +114,7 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
                            p.norm() > humerus::kHeadRadius + 0.8;
                   }),
       regionWhere(visual, "lesser-tubercle-facet", "Tuberculum minus, facies (subscapularis facet)", "footprint",
-                  facet(subscapularisPath())),
+                  facet(subscapularisPath(), 40, 20)),
       regionWhere(visual, "bare-area", "Area nuda capitis humeri (bare area)", "landmark",
                   [&](const Vec3& p) {
                     return std::abs(p.norm() - humerus::kHeadRadius) < 1.2 && !onCartilage(p) && p.x() < -8 &&
@@ -137,7 +135,9 @@ std::vector<Region> muscleRegions(const TriMesh& visual, const Bones& bones, con
       regionWhere(visual, "origin", origin, "footprint",
                   [&](const Vec3& p) { return distance(bones.scapulaShape, p) < kAttached && place(p) < 0.62; }),
       regionWhere(visual, "insertion", insertion, "footprint",
-                  [&](const Vec3& p) { return distance(bones.humerusShape, p) < 0.5 && place(p) > 0.8; }),
+                  [&](const Vec3& p) { return p.norm() > humerus::kHeadRadius + 1 &&
+                           distance(bones.humerusShape, p) < kAttached && place(p) > 0.8;
+                  }),
       regionWhere(visual, "tendon", "Tendo (tendon)", "tendon",
                   [&](const Vec3& p) { return place(p) > tendonFrom; })};
 }

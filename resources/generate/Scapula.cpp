@@ -77,7 +77,7 @@ Field spineField() {
   wall.height = [](double x, double y) { return -(0.05 * x * y / 40 + 0.02 * x); };
   const auto crest = [](double x, double y, double z) { return blade().toWorld({x, y, z}); };
   const Field lip = stretched(chain({{crest(3, 0, 0), 2.2},
-                                     {crest(14, 0.5, 5.4), 2.9},
+                                     {crest(14, 0.5, 6.5), 2.9},
                                      {crest(34, 1.5, 11.5), 3.4},
                                      {crest(62, 3.5, 25.5), 3.9},
                                      {crest(90, 6, 38.5), 4.2},
@@ -147,7 +147,7 @@ Vec3 onBlade(double x, double y, double dorsal) {
 
 std::vector<Knot> coracoid() {
   return {{{-9, 6, -41}, 9.5},      {{-3, 16.5, -44}, 8.6}, {{7, 22.5, -43.0}, 7.4},
-          {{17, 20.0, -37.5}, 6.9}, {{24, 14.5, -33}, 6.4}, {{27, 11, -31.5}, 5.6}};
+          {{17, 20.0, -37.5}, 6.9}, {{23.6, 14.7, -33}, 6.4}, {{26.3, 11.5, -31.6}, 5.6}};
 }
 
 Field coracoidField() {

@@ -40,34 +40,41 @@ TEST(Cuff, musclesMeasureAsPublished) {
 
 TEST(Cuff, tendonsAndFootprintsMeasureAsPublished) {
   struct Row {
-    const char *id, *name;
+    const char *id, *facet;
     double length, width;  ///< mm, Curtis 2006: along the border of the cartilage and away from it
   };
-  const Row rows[] = {{"supraspinatus", "supraspinatus", 23, 16},
-                      {"infraspinatus", "infraspinatus", 29, 19},
-                      {"subscapularis", "subscapularis", 40, 20}};
+  const Row rows[] = {{"supraspinatus", "superior-facet", 23, 16},
+                      {"infraspinatus", "middle-facet", 29, 19},
+                      {"subscapularis", "lesser-tubercle-facet", 40, 20}};
   for (const Row& row : rows) {
+    const std::string name = row.id;
     const Part& part = partOf(shippedShoulder(), row.id);
-    const TriMesh footprint = surfaceOf(part, "insertion"), mesh = visualOf(row.id);
+    const TriMesh bonded = surfaceOf(part, "insertion"), mesh = visualOf(row.id),
+                  footprint = surfaceOf(partOf(shippedShoulder(), "humerus"), row.facet);
     // Fibres run from the tendon's middle to the footprint's, seen from the head's centre.
     const Vec3 middle = centroidOf(footprint), out = middle.normalized();
     const Vec3 back = centroidOf(surfaceOf(part, "tendon")) - middle;
     const Vec3 fibre = (back - back.dot(out) * out).normalized(), along = fibre.cross(out);
-    expectMeasure(std::string(row.name) + ", footprint along the cartilage", extentAlong(footprint.vertices, along), "mm",
-                  tenth(row.length, "Curtis 2006"));
-    expectMeasure(std::string(row.name) + ", footprint away from it", extentAlong(footprint.vertices, fibre), "mm",
-                  tenth(row.width, "Curtis 2006"));
-    // The paper gives no areas: a rectangle of its length and width is the most that they can be.
-    reportMeasure(std::string(row.name) + ", footprint area", areaOf(footprint), "mm2",
+    const Extents size = principalExtents(footprint);
+    expectMeasure(name + ", footprint along the cartilage", size.size[0], "mm", tenth(row.length, "Curtis 2006"));
+    expectMeasure(name + ", footprint away from it", size.size[1], "mm", tenth(row.width, "Curtis 2006"));
+    // The source gives no areas: a rectangle of its length and width is the most that they can be.
+    reportMeasure(name + ", footprint area", areaOf(footprint), "mm2",
                   tenth(row.length * row.width, "Curtis 2006, length x width"), "only a rectangle has this area");
+    // The tendon's own edges stand off the bone, which falls away beside the facets.
+    const Wanted whole = tenth(row.length, "Curtis 2006"), deep = tenth(row.width, "Curtis 2006");
+    const char* const why = "the bone falls away under the tendon's edges";
+    reportMeasure(name + ", bonded along the cartilage", extentAlong(bonded.vertices, along), "mm", whole, why);
+    reportMeasure(name + ", bonded away from it", extentAlong(bonded.vertices, fibre), "mm", deep, why);
+    EXPECT_LT((centroidOf(bonded) - middle).norm(), 5) << name << ": the tendon ends where its footprint is";
     // A section across the fibres, over the head, 15 mm before the footprint's middle.
     const double angle = 15.0 / middle.norm();
     const Vec3 at = (std::cos(angle) * middle + std::sin(angle) * middle.norm() * fibre) * (1 + 2.0 / middle.norm());
     const Vec3 across = (std::cos(angle) * fibre - std::sin(angle) * out).normalized();
     const Cut cut = cutBy(mesh, at, across, 0.6 * row.length + 12);
     const double width = extentAlong(cut.points, along), thickness = cut.area / width;
-    expectMeasure(std::string(row.name) + ", width of the tendon", width, "mm", tenth(row.length, "Curtis 2006"));
-    expectMeasure(std::string(row.name) + ", thickness of the tendon", thickness, "mm",
+    expectMeasure(name + ", width of the tendon", width, "mm", tenth(row.length, "Curtis 2006"));
+    expectMeasure(name + ", thickness of the tendon", thickness, "mm",
                   {5.5, 0.5, "anatomy.md 3: 5 to 6"});
   }
 }
@@ -188,7 +195,7 @@ TEST(Labrum, measuresAsPublished) {
     Vec3 top = side[0];
     std::vector<Vec3> base;
     for (const Vec3& p : side) {
-      const double off = boneTree.closest(p).distance;
+      const double off = boneTree.signedDistance(p);
       if (off > far) far = off, top = p;
       if (off < 0.8) base.push_back(p);
     }
