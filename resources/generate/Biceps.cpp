@@ -11,7 +11,7 @@ namespace glenoid::generate {
 namespace {
 
 constexpr double kOverHead =
-    humerus::kHeadRadius + 1.1 + kBicepsHalfThickness;  ///< middle of the tendon over the head
+    humerus::kHeadRadius + 1.9 + kBicepsHalfThickness;  ///< middle of the tendon over the head
 
 /// Rim of the socket in W with the outward direction in its plane.
 struct RimPoint {
@@ -29,8 +29,7 @@ RimPoint rimAt(double turn) {
   Vec2 out(along.y(), -along.x());
   if (out.dot(p) < 0) out = -out;
   out.normalize();
-  const double z = 30 - std::sqrt(900 - p.squaredNorm());
-  return {socket.toWorld({p.x(), p.y(), z}), socket.axes * Vec3(out.x(), out.y(), 0)};
+  return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}), socket.axes * Vec3(out.x(), out.y(), 0)};
 }
 
 Vec3 rootDirection() {
@@ -48,14 +47,18 @@ Vec3 overHead(double angle) {
 }
 
 /// The first `onHead` points of the path turn with the head's sphere, the others with the shaft.
-Tube cord(const std::vector<Vec3>& path, std::size_t onHead, double halfWidth, double thickness) {
+struct Size {
+  double halfWidth, thickness;
+};
+Tube cord(const std::vector<Vec3>& path, std::size_t onHead, const std::function<Size(std::size_t)>& sizeAt) {
   Tube tube;
   tube.roundness = 1;
   tube.endLength = 0.03;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const Vec3 fromCanal = path[i] - humerus::canalAt(path[i].y());
     const Vec3 up = (i < onHead ? path[i] : fromCanal).normalized();
-    tube.stations.push_back({path[i] - thickness / 2 * up, up, halfWidth, thickness, 0, 0, 0});
+    const Size size = sizeAt(i);
+    tube.stations.push_back({path[i] - size.thickness / 2 * up, up, size.halfWidth, size.thickness, 0, 0, 0});
   }
   return tube;
 }
@@ -63,6 +66,7 @@ Tube cord(const std::vector<Vec3>& path, std::size_t onHead, double halfWidth, d
 }  // namespace
 
 std::vector<Vec3> bicepsPath() {
+  static const Field shaft = humerus::field();
   std::vector<Vec3> path;
   const double whole = std::acos(rootDirection().dot(entranceDirection()));
   for (int i = 0; i <= 8; ++i) {
@@ -70,21 +74,23 @@ std::vector<Vec3> bicepsPath() {
     path.push_back((kOverHead + 1.2 * std::pow(1 - i / 8.0, 2)) * overHead(angle));
   }
   const std::vector<Vec3> floor = humerus::groovePath();
-  const double lift[] = {0, 3.4, 3.3, 3.3, 3.6, 4.6};
   for (std::size_t i = 1; i < floor.size(); ++i) {
-    const Vec3 out = (floor[i] - humerus::canalAt(floor[i].y())).normalized();
-    path.push_back(floor[i] + lift[i] * out);
+    const Vec3 c = humerus::canalAt(floor[i].y()), out = (floor[i] - c).normalized();
+    path.push_back(i < 3 ? Vec3(floor[i] + 3.35 * out) : Vec3(settle(shaft, c, out, 0, 0) + 3.2 * out));
   }
+  // Below the groove it lies on the shaft.
   for (const double y : {-38.0, -52.0}) {
-    const Vec3 c = humerus::canalAt(y);
-    const Vec3 out = (Vec3(14.0, y, 17.0) - c).normalized();
-    path.push_back(c + (y > -45 ? 16.0 : 14.6) * out);
+    const Vec3 c = humerus::canalAt(y), out = (Vec3(12.6, y, 16.8) - c).normalized();
+    path.push_back(settle(shaft, c, out, 0, 0) + 3.3 * out);
   }
   return path;
 }
 
 Surfaces bicepsTendon(const Bones& bones) {
-  Tube tube = cord(bicepsPath(), 8, kBicepsHalfWidth, 2 * kBicepsHalfThickness);
+  // Flat over the head, rounder and narrower in the groove.
+  Tube tube = cord(bicepsPath(), 8, [](std::size_t i) {
+    return i < 7 ? Size{kBicepsHalfWidth, 2 * kBicepsHalfThickness} : Size{kBicepsHalfWidth - 1.2, 4.3};
+  });
   tube.phase = 0.5;
   // The tendon is rigid and its two surfaces are one: it keeps 0.8 mm from what it slides on, fine and
   // coarse.
@@ -103,7 +109,9 @@ Surfaces labrumTendon(const Bones& bones) {
   std::vector<Vec3> path{top.at + 2.6 * top.out - 1.5 * n};
   const double arcs[] = {3.5, 6.5, 9.5, 13.5}, above[] = {2.6, 1.6, 1.2, 1.0};
   for (int i = 0; i < 4; ++i) path.push_back((kOverHead + above[i]) * overHead(arcs[i] / kOverHead));
-  Tube tube = cord(path, path.size(), 3.4, 4.6);
+  // Broad where it leaves the ring, then the tendon's own section.
+  const Size sizes[] = {{5.6, 3.4}, {4.4, 4.2}, {3.7, 4.6}, {3.4, 4.6}, {3.3, 4.5}};
+  Tube tube = cord(path, path.size(), [&](std::size_t i) { return sizes[i]; });
   tube.bone = unionOf(bones.humerusShape, bones.humerusCoarse);
   for (Station& station : tube.stations) station.clearance = 0.8;
   tube.endLength = 0.1;
@@ -115,13 +123,14 @@ Surfaces labrumTendon(const Bones& bones) {
 
 Surfaces labrum(const Bones& bones) {
   const Vec3 n = scapula::glenoid().axes.col(2);
-  // A triangle on the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
+  // A triangle over the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
   const auto ring = [&](int count, bool rounded, const Field& head) {
     std::vector<std::vector<Vec3>> rings;
     for (int j = 0; j < count; ++j) {
       const RimPoint rim = rimAt(double(j) / count);
-      const Vec3 inner = rim.at - 2.2 * rim.out - 0.1 * n, outer = rim.at + 2.2 * rim.out - 2.6 * n;
-      const Vec3 toEdge = (rim.at + 1.4 * rim.out).normalized();
+      const Vec3 inner = project(bones.scapulaShape, rim.at - 3.7 * rim.out, 0.1),
+                 outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - 4.2 * n, 0.4);
+      const Vec3 toEdge = (rim.at + 0.7 * rim.out).normalized();
       const Vec3 edge = settle(head, 30 * toEdge, toEdge, 0.9, 10);
       if (rounded)
         rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,

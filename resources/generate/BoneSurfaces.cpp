@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <numbers>
 
 #include "resources/generate/Bones.h"
+#include "resources/generate/Flesh.h"
 #include "resources/generate/Isosurface.h"
 #include "resources/generate/Parts.h"
-#include "simcore/mesh/Simplify.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {
 
 namespace {
-
-TriMesh simplified(const TriMesh& mesh, int triangles) {
-  Result<TriMesh> answer = simplify(mesh, triangles);
-  if (!answer) {
-    // The shapes are constants of this program: a failure here is a bug in it, and there is no joint without
-    // bones.
-    std::fprintf(stderr, "simplify: %s\n", toLogLine(answer.error()).c_str());
-    std::abort();
-  }
-  return std::move(*answer);
-}
 
 /// Where the shape ends on the way out from an inner point.
 Vec3 outward(const Field& shape, const Vec3& from, const Vec3& direction, double lift) {
@@ -50,9 +37,9 @@ void joinUneven(TriMesh& mesh, int upper, int upperCount, int lower, int lowerCo
   }
 }
 
-/// The humerus in 108 triangles: most of them where the cuff, the labrum and the biceps tendon lie. Columns
+/// The humerus in 116 triangles: most of them where the cuff, the labrum and the biceps tendon lie. Columns
 /// run down the lesser tubercle's lip, the floor and the greater tubercle's lip of the groove and are spread
-/// evenly over the rest of the head. Vertices of the head stand out by 0.5 mm, half of what its chords sink.
+/// evenly over the rest of the head. Vertices of the head stand out by 0.9 mm, half of what its chords sink.
 TriMesh coarseHumerus(const Field& shape) {
   TriMesh mesh;
   const auto ring = [&](const Vec3& centre, double elevation, const std::vector<double>& azimuths,
@@ -67,7 +54,7 @@ TriMesh coarseHumerus(const Field& shape) {
     return first;
   };
   const Vec3 centre(1.5, 0, 1.5);
-  const std::vector<double> columns{19, 38, 54, 96, 137, 176, 215, 254, 293, 332};
+  const std::vector<double> columns{19, 38, 54, 92, 128, 164, 200, 236, 272, 308, 343};
   const int n = int(columns.size());
   std::vector<int> rings;
   for (const double elevation : {60.0, 30.0, 2.0, -27.0}) {
@@ -75,11 +62,11 @@ TriMesh coarseHumerus(const Field& shape) {
     // The groove's floor and lips stay where they are, the sphere stands out.
     for (int k = 3; k < n; ++k) {
       Vec3& p = mesh.vertices[rings.back() + k];
-      if (std::abs(p.norm() - humerus::kHeadRadius) < 0.6) p *= (humerus::kHeadRadius + 0.5) / p.norm();
+      if (std::abs(p.norm() - humerus::kHeadRadius) < 0.6) p *= (humerus::kHeadRadius + 0.9) / p.norm();
     }
   }
   const int pole = int(mesh.vertices.size());
-  mesh.vertices.push_back(Vec3(-1, humerus::kHeadRadius + 0.4, -1));
+  mesh.vertices.push_back(Vec3(-1, humerus::kHeadRadius + 0.7, -1));
   for (int k = 0; k < n; ++k) mesh.triangles.push_back({pole, rings[0] + (k + 1) % n, rings[0] + k});
   for (int r = 0; r + 1 < int(rings.size()); ++r) {
     for (int k = 0; k < n; ++k) {
@@ -117,6 +104,61 @@ TriMesh coarseHumerus(const Field& shape) {
   return mesh;
 }
 
+/// Draws space out about a point by up to `kDraw`, within about `radius`; the farther, the less.
+struct Lens {
+  static constexpr double kDraw = 2.4;
+  Vec3 centre;
+  double radius;
+  double drawn(double r) const { return r * (1 + (kDraw - 1) * std::exp(-r * r / (radius * radius))); }
+  Vec3 apply(const Vec3& p) const {
+    const Vec3 d = p - centre;
+    const double r = d.norm();
+    return r < 1e-9 ? p : Vec3(centre + drawn(r) / r * d);
+  }
+  Vec3 undo(const Vec3& p) const {
+    const Vec3 d = p - centre;
+    const double r = d.norm();
+    double low = 0, high = r;
+    for (int i = 0; i < 50; ++i) (drawn((low + high) / 2) < r ? low : high) = (low + high) / 2;
+    return r < 1e-9 ? p : Vec3(centre + low / r * d);
+  }
+};
+
+/// Moves vertices along the normals of their triangles until these lie as much within the shape as outside it.
+void fit(TriMesh& mesh, const Field& shape) {
+  constexpr int kSamples = 4;
+  for (int round = 0; round < 25; ++round) {
+    std::vector<Vec3> push(mesh.vertices.size(), Vec3::Zero());
+    std::vector<double> weight(mesh.vertices.size(), 0.0);
+    for (const auto& t : mesh.triangles) {
+      const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+      const Vec3 cross = (b - a).cross(c - a), normal = cross.normalized();
+      for (int i = 0; i <= kSamples; ++i)
+        for (int j = 0; i + j <= kSamples; ++j) {
+          const Vec3 w(double(i) / kSamples, double(j) / kSamples, double(kSamples - i - j) / kSamples);
+          const double off = std::clamp(shape(w[0] * a + w[1] * b + w[2] * c), -3.0, 3.0);
+          for (int k = 0; k < 3; ++k) {
+            push[t[k]] -= cross.norm() * w[k] * off * normal;
+            weight[t[k]] += cross.norm() * w[k];
+          }
+        }
+    }
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      if (weight[i] > 0) mesh.vertices[i] += 0.4 * push[i] / weight[i];
+  }
+}
+
+/// The scapula in 110 triangles, most of them in the socket and the roof: simplified in a space that is drawn out there.
+TriMesh coarseScapula(const TriMesh& visual, const Field& shape) {
+  const Lens socket{scapula::glenoid().origin, 24}, roof{scapula::acromion().origin, 33};
+  TriMesh drawn = visual;
+  for (Vec3& p : drawn.vertices) p = roof.apply(socket.apply(p));
+  TriMesh coarse = simplified(drawn, 110);
+  for (Vec3& p : coarse.vertices) p = socket.undo(roof.undo(p));
+  fit(coarse, shape);
+  return coarse;
+}
+
 }  // namespace
 
 Field fieldOf(const TriMesh& closed) {
@@ -137,7 +179,7 @@ Bones makeBones() {
   const TriMesh scapulaFine = fine(bones.scapulaShape, Box3(Vec3(-100, -155, -130), Vec3(45, 60, 25)), 1.3);
   bones.humerus = {simplified(humerusFine, 5188), coarseHumerus(bones.humerusShape)};
   bones.scapula.visual = simplified(scapulaFine, 10224);
-  bones.scapula.collision = simplified(bones.scapula.visual, 106);
+  bones.scapula.collision = coarseScapula(bones.scapula.visual, bones.scapulaShape);
   bones.humerusCoarse = fieldOf(bones.humerus.collision);
   // Coarse triangles fill the socket: it keeps off the head, at least as far as the labrum's edge needs.
   keepClear(bones.scapula.collision, bones.humerusCoarse, 1.8);

@@ -22,9 +22,15 @@ std::vector<Vec3> groovePath();
 Vec3 lateralEpicondyle();
 Vec3 medialEpicondyle();
 Field field();
+/// The same without the groove, for what bridges it.
+Field filledField();
 }  // namespace humerus
 
 namespace scapula {
+/// Bone of the socket: 33.4 ± 3.3 in PMC12925909; its deepest point leaves the head room for two cartilages.
+inline constexpr double kSocketRadius = 32, kSocketDepth = 27.2;
+/// Height of the socket's surface over its deepest point, in the glenoid frame.
+double socketHeight(double x, double y);
 /// Blade frame: origin at the trigonum spinae (TS), x lateral toward the glenoid, y up along the medial
 /// border, z dorsal; the blade lies near z = 0.
 Frame blade();

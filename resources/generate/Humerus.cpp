@@ -28,14 +28,15 @@ Vec3 medialEpicondyle() {
 }
 
 Vec3 canalAxis() {
-  // Through the middle of the elbow, passing 6.9 mm lateral and 4 mm in front of the head's centre.
-  const Vec3 top = anatomicalAxes() * Vec3(4.0, 0, 6.9);
+  // Through the middle of the elbow, passing 6.9 mm lateral and 2.6 mm in front of the head's centre (Boileau and
+  // Walch 1997).
+  const Vec3 top = anatomicalAxes() * Vec3(2.6, 0, 6.9);
   const Vec3 elbow = 0.5 * (lateralEpicondyle() + medialEpicondyle());
   return (top - elbow).normalized();
 }
 
 Vec3 canalAt(double y) {
-  const Vec3 top = anatomicalAxes() * Vec3(4.0, 0, 6.9), axis = canalAxis();
+  const Vec3 top = anatomicalAxes() * Vec3(2.6, 0, 6.9), axis = canalAxis();
   return top + (y - top.y()) / axis.y() * axis;
 }
 
@@ -53,11 +54,16 @@ std::vector<Vec3> groovePath() {
           {16.6, -7, 14.4},   {15.1, -16, 15.4}, {13.4, -26, 16.2}};
 }
 
-Field field() {
+Field filledField() {
   const Vec3 axis = canalAxis();
   const auto knot = [](double y, double r) { return Knot{canalAt(y), r}; };
   const Field shaft = chain(
       {knot(-14, 18), knot(-34, 14.2), knot(-62, 11.8), knot(-110, 11), knot(-190, 9.8), knot(-238, 9.2)});
+
+  // Tuberosity of the deltoid, half way down the outer side.
+  const Field tuberosity = chain({{canalAt(-76) + Vec3(1, 0, 8), 4},
+                                  {canalAt(-99) + Vec3(-0.5, 0, 11.3), 5.6},
+                                  {canalAt(-124) + Vec3(-0.5, 0, 8), 4}});
 
   // Elbow: the shaft flattens into two pillars that end in the epicondyles; between them capitulum and
   // trochlea.
@@ -93,20 +99,22 @@ Field field() {
   const Field lateralLip =
       chain({{{10.5, 9, 17.5}, 7.6}, {{12.2, 1, 18.2}, 7.2}, {{11.6, -8, 18.6}, 6.8}, {{8, -22, 18.5}, 6.2}});
   const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0}, {{18.0, -8, 5.6}, 7.4}, {{12.5, -24, 8.5}, 6.6}});
-  Field bone = smoothUnion({shaft, elbow}, 8);
+  Field bone = smoothUnion({shaft, elbow, tuberosity}, 8);
   bone = smoothUnion({bone, neck, greater, lesser, lateralLip, medialLip}, 5);
-  bone = smoothUnion({bone, sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+  return smoothUnion({bone, sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+}
 
+Field field() {
   // The groove, 5 mm deep and 8 mm wide, runs out below.
   std::vector<Knot> groove;
   const std::vector<Vec3> floor = groovePath();
-  const double radii[] = {4.3, 4.2, 4.1, 4.1, 4.3, 5.0}, lift[] = {0, 0, 0, 0.2, 1.0, 3.0};
+  const double radii[] = {4.5, 4.5, 4.5, 4.5, 4.6, 5.0}, lift[] = {0, 0, 0, 1.5, 4.4, 8.0};
   for (std::size_t i = 0; i < floor.size(); ++i) {
     const Vec3 out = (floor[i] - canalAt(floor[i].y())).normalized();
     groove.push_back({floor[i] + (radii[i] + lift[i]) * out, radii[i]});
   }
   groove.insert(groove.begin(), {Vec3(18.5, 22, 9.2), 4.6});
-  return smoothSubtract(bone, chain(groove), 1.0);
+  return smoothSubtract(filledField(), chain(groove), 1.0);
 }
 
 }  // namespace glenoid::generate::humerus

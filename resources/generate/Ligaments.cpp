@@ -19,23 +19,20 @@ Field raised(Field field, double by) {
 
 Surfaces coracoacromialLigament(const Bones&) {
   const Field acromion = scapula::acromionField(), coracoid = scapula::coracoidField();
-  // Ends lie 0.4 mm in the bone: under the acromion, on top of the coracoid.
-  const auto under = [&](double x, double z) {
-    return Vec3(settle(acromion, Vec3(x, 24, z), -Vec3::UnitY(), 0, 20) - 0.9 * Vec3::UnitY());
-  };
-  const auto onTop = [&](double x, double z) {
-    return Vec3(settle(coracoid, Vec3(x, 40, z), Vec3::UnitY(), 0, 35) - 0.4 * Vec3::UnitY());
-  };
+  // A sheet whose ends stand in bone: it comes out from under the acromion and goes into the coracoid's edge.
+  const Vec3 out = project(acromion, Vec3(-0.5, 33, -7.5)), in = project(coracoid, Vec3(17.0, 21.5, -33.5));
+  const Vec3 way = (in - out).normalized(), up = Vec3(0.35, 0.9, -0.25);
+  const auto at = [&](double share, double lift) { return Vec3(out + share * (in - out) + lift * up); };
   Tube tube;
-  tube.roundness = 0.35;
-  tube.endLength = 0.015;
+  tube.roundness = 0.5;
+  tube.endLength = 0.05;
   tube.stations = {
-      {under(-7, 0), {-0.25, 1, 0.05}, 11, 1.3, 0, 0, 0},
-      {under(-2.5, -6), {-0.1, 1, -0.1}, 11, 1.3, 0, 0, 0},
-      {{3.5, 31.8, -15.5}, {0.35, 0.9, -0.25}, 9.5, 1.3, 0, 0, 0},
-      {{9.5, 28.2, -25}, {0.4, 0.85, -0.3}, 7.4, 1.3, 0, 0, 0},
-      {onTop(14.5, -34), {0.35, 0.85, -0.3}, 6.0, 1.3, 0, 0, 0},
-      {onTop(16.5, -37.5), {0.3, 0.85, -0.3}, 5.5, 1.3, 0, 0, 0},
+      {out - 7 * way + Vec3(0, -0.7, 0), {-0.1, 1, -0.1}, 11.0, 1.2, 0, 0, 0},
+      {out + Vec3(0, -0.8, 0), {0.05, 1, -0.1}, 11.4, 1.2, 0, 0, 0},
+      {at(0.33, 1.5), {0.35, 0.9, -0.25}, 10.0, 1.1, 0, 0, 0},
+      {at(0.67, 1.3), {0.4, 0.85, -0.3}, 8.0, 1.1, 0, 0, 0},
+      {in, {0.35, 0.85, -0.3}, 6.4, 1.1, 0, 0, 0},
+      {in + 2.5 * way, {0.3, 0.85, -0.3}, 5.6, 1.1, 0, 0, 0},
   };
   Surfaces s;
   s.visual = sweep(tube, 24, 34);
@@ -46,49 +43,59 @@ Surfaces coracoacromialLigament(const Bones&) {
 
 Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps) {
   Tube tube;
-  tube.roundness = 0.5;
-  tube.endLength = 0.03;
+  tube.roundness = 0.6;
+  tube.endLength = 0.10;
   tube.stations = {
-      {{25.0, 13.5, -32}, {0.75, 0.65, 0.1}, 4.5, 3, 0, 0, 0},
-      {{25.0, 16.2, -25}, {0.65, 0.75, 0}, 6.0, 3, 0, 0, 0},
-      {{24.0, 21.5, -14}, {0.65, 0.75, -0.1}, 7.2, 3, 0.8, 0, 0.3},
-      {{22.4, 23.2, -3}, {0.68, 0.72, 0}, 7.4, 2.8, 0.8, 1.5, 1},
-      {{19.6, 23.6, 5}, {0.66, 0.74, 0.15}, 7.0, 2.4, 0.5, 4, 1},
-      {{15.8, 21.8, 11.5}, {0.62, 0.74, 0.3}, 6.4, 2.2, 0.1, 6, 1},
-      {{12.8, 19.0, 16.0}, {0.55, 0.7, 0.45}, 5.6, 1.8, 0.0, 6, 1},
+      {{25.0, 14.0, -30.5}, {0.75, 0.65, 0.1}, 5.4, 2.8, 0, 0, 0},
+      {{25.2, 17.0, -23.5}, {0.65, 0.75, 0}, 6.4, 3, 0, 0, 0},
+      {{24.0, 21.5, -14}, {0.65, 0.75, -0.1}, 7.4, 3.2, 0.8, 0, 0.3},
+      {{22.4, 23.4, -3}, {0.68, 0.72, 0}, 7.6, 3.1, 0.8, 0, 1},
+      {{20.4, 24.0, 5}, {0.66, 0.74, 0.15}, 7.4, 2.8, 0.6, 0, 1},
+      {{17.6, 22.6, 10.8}, {0.62, 0.74, 0.3}, 6.8, 2.5, 0.2, 0, 1},
+      {{14.0, 19.2, 15.8}, {0.55, 0.7, 0.45}, 6.0, 1.8, -0.3, 6, 1},
   };
-  const Field cord = raised(fieldOf(biceps), 0.8);
-  tube.bone = unionOf(bones.humerusShape, raised(fieldOf(biceps), 1.6));
+  const Field cord = raised(fieldOf(biceps), 2.1);
+  // Bridges the groove instead of dipping into it.
+  tube.bone = smoothUnion({humerus::filledField(), raised(fieldOf(biceps), 1.4)}, 8);
   Surfaces s;
   s.visual = sweep(tube, 20, 13);
   tube.bone = unionOf(bones.humerusCoarse, cord);
-  for (Station& st : tube.stations)
+  tube.endLength = 0.03;
+  for (Station& st : tube.stations) {
     if (st.radial > 0) st.clearance = std::max(st.clearance, 1.2);
+    if (st.radial > 0.5) st.reach = 4;
+  }
   tube.phase = 0.5;
   s.collision = sweep(tube, 6, 5);
   return s;
 }
 
 Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps) {
-  // From the lesser to the greater tubercle, arching over the tendon in the groove; only its ends come down
-  // to bone.
+  // From the lesser to the greater tubercle, arching over the tendon in the groove; its ends thin out on bone.
   Tube tube;
-  tube.roundness = 0.4;
-  tube.endLength = 0.02;
+  tube.roundness = 0.6;
+  tube.endLength = 0.12;
   const std::vector<Vec3> path{
-      {27.5, 1.5, 3.0}, {26.8, 1.8, 8.0}, {23.0, 2.0, 15.6}, {19.2, 2.2, 21.8}, {13.5, 2.4, 26.5}};
+      {26.6, 1.5, 7.0}, {25.3, 1.8, 10.6}, {22.4, 2.0, 16.2}, {19.2, 2.2, 20.8}, {15.6, 2.4, 24.0}};
+  const double thickness[] = {1.0, 1.6, 1.7, 1.6, 1.0};
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool atEnd = i != 2;
     const Vec3 up = path[i] - humerus::canalAt(path[i].y());
-    tube.stations.push_back({path[i], up, 7.5, 1.5, atEnd ? 0.0 : 0.3, atEnd ? 5.0 : 0.0, 0});
+    tube.stations.push_back({path[i], up, 8.2, thickness[i], atEnd ? 0.0 : 0.3, atEnd ? 5.0 : 2.0, 0});
   }
   const Field cord = raised(fieldOf(biceps), 0.7);
-  tube.bone = unionOf(bones.humerusShape, cord);
+  tube.bone = smoothUnion({humerus::filledField(), cord}, 3);
   Surfaces s;
   s.visual = sweep(tube, 12, 11);
-  tube.bone = unionOf(bones.humerusCoarse, cord);
+  tube.bone = unionOf(bones.humerusCoarse, raised(fieldOf(biceps), 1.45));
+  for (Station& station : tube.stations) {
+    station.thickness = 1.8;
+    if (station.reach < 5) station.reach = 0;
+  }
   tube.phase = 0.5;
   tube.flatEnds = true;
+  tube.roundness = 0.4;
+  tube.endLength = 0.02;
   s.collision = sweep(tube, 4, 4);
   keepClear(s.collision, fieldOf(biceps), 0.8);
   return s;

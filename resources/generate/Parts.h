@@ -22,13 +22,17 @@ Bones makeBones();
 /// Signed distance to a closed surface as a field.
 Field fieldOf(const TriMesh& closed);
 
+/// Stations along the cuff muscles, from the medial border to the footprint.
+std::vector<Station> supraspinatusPath();
+std::vector<Station> infraspinatusPath();
+std::vector<Station> subscapularisPath();
 Surfaces supraspinatus(const Bones& bones);
 Surfaces infraspinatus(const Bones& bones);
 Surfaces subscapularis(const Bones& bones);
 
 /// Middle of the long biceps tendon from its root to below the groove, and its half sizes.
 std::vector<Vec3> bicepsPath();
-inline constexpr double kBicepsHalfWidth = 3.0, kBicepsHalfThickness = 2.25;
+inline constexpr double kBicepsHalfWidth = 3.5, kBicepsHalfThickness = 2.25;
 Surfaces bicepsTendon(const Bones& bones);
 Surfaces labrumTendon(const Bones& bones);
 Surfaces labrum(const Bones& bones);

@@ -9,7 +9,6 @@ namespace {
 
 const Vec3 kTrigonum(-77.8, -15.9, -113.5), kInferiorAngle(-78.4, -136.1, -78.3);
 const Vec3 kAcromialAngle(-42.9, 23.3, 1.4), kAcromionTip(4.6, 38.0, -5.8);
-constexpr double kSocketRadius = 30, kSocketDepth = 27.2;  // bone under the cartilage, from the head's centre
 
 /// How far the blade bends dorsally (+): the part above the spine dips forward to the coracoid's root, the
 /// fossa below is hollow in front.
@@ -23,8 +22,8 @@ double bend(double x, double y) {
 Field bladeField() {
   Plate plate_;
   plate_.frame = blade();
-  plate_.outline = closedCurve({{-3, 0},
-                                {5, 18},
+  plate_.outline = closedCurve({{0.5, 0},
+                                {6, 18},
                                 {22, 33},
                                 {38, 38},
                                 {55, 31},
@@ -37,21 +36,21 @@ Field bladeField() {
                                 {80, -64},
                                 {56, -92},
                                 {26, -120},
-                                {8, -129},
-                                {-1, -122},
-                                {-5, -90},
-                                {-6, -50},
-                                {-4, -20}},
+                                {9, -127},
+                                {2, -121},
+                                {-1, -90},
+                                {-1.5, -50},
+                                {0, -20}},
                                5);
   plate_.thickness = 3.4;
   plate_.rounding = 1.6;
   plate_.height = bend;
   const auto knot = [](double x, double y, double r, double d = 0) { return Knot{onBlade(x, y, d), r}; };
   const Field lateral = chain(
-      {knot(8, -124, 3.0), knot(34, -110, 4.2), knot(58, -85, 4.6), knot(82, -60, 5.2), knot(100, -38, 6.5)});
-  const Field medial = chain({knot(7, -124, 3.2), knot(-2, -95, 2.3), knot(-3, -50, 2.4), knot(-1, 0, 2.6),
-                              knot(7, 19, 2.3), knot(23, 32, 2.3), knot(38, 36, 2.4)});
-  return smoothUnion({plate(plate_), lateral, medial}, 5);
+      {knot(9, -122, 2.8), knot(34, -110, 3.3), knot(58, -85, 3.6), knot(82, -60, 4.0), knot(100, -38, 6.0)});
+  const Field medial = chain({knot(8, -122, 2.8), knot(2, -95, 1.8), knot(1.5, -50, 1.8), knot(3, 0, 2.0),
+                              knot(8, 19, 2.1), knot(23, 32, 2.3), knot(38, 36, 2.4)});
+  return smoothUnion({smoothUnion({plate(plate_), lateral}, 5), medial}, 2.5);
 }
 
 Field spineField() {
@@ -59,10 +58,10 @@ Field spineField() {
   wall.frame = blade();
   // In this plate x runs along the spine, y dorsally, z is the height in the blade's plane.
   wall.frame.axes << blade().axes.col(0), blade().axes.col(2), -blade().axes.col(1);
-  wall.outline = closedCurve({{-2, -2},
-                              {12, 6},
-                              {32, 13},
-                              {60, 26},
+  wall.outline = closedCurve({{1, -2},
+                              {12, 2.5},
+                              {32, 9.5},
+                              {60, 24},
                               {88, 38},
                               {108, 43},
                               {116, 42},
@@ -77,10 +76,10 @@ Field spineField() {
   wall.rounding = 2.2;
   wall.height = [](double x, double y) { return -(0.05 * x * y / 40 + 0.02 * x); };
   const auto crest = [](double x, double y, double z) { return blade().toWorld({x, y, z}); };
-  const Field lip = stretched(chain({{crest(-1, 0, 0), 2.6},
-                                     {crest(14, 0.5, 7), 3.2},
-                                     {crest(34, 1.5, 14), 3.8},
-                                     {crest(62, 3.5, 27), 4.0},
+  const Field lip = stretched(chain({{crest(3, 0, 0), 2.2},
+                                     {crest(14, 0.5, 6.5), 2.9},
+                                     {crest(34, 1.5, 11.5), 3.4},
+                                     {crest(62, 3.5, 25.5), 3.9},
                                      {crest(90, 6, 38.5), 4.2},
                                      {crest(112, 7, 43.5), 4.6}}),
                               crest(60, 3, 26), blade().axes.col(1), 1.35);
@@ -88,6 +87,10 @@ Field spineField() {
 }
 
 }  // namespace
+
+double socketHeight(double x, double y) {
+  return kSocketRadius - std::sqrt(std::max(kSocketRadius * kSocketRadius - x * x - y * y, 0.0));
+}
 
 Frame blade() {
   const Vec3 up = (kTrigonum - kInferiorAngle).normalized();
@@ -120,21 +123,21 @@ Frame acromion() {
 }
 
 std::vector<Vec2> glenoidRim() {
-  // Pear: 37 high, 28 wide below, 19 in the upper third.
-  return closedCurve({{-1, 18.7},
-                      {-6.5, 16.2},
-                      {-9.3, 10},
-                      {-11.5, 2},
-                      {-13.8, -6},
-                      {-12, -13.5},
-                      {-6.5, -17.4},
-                      {0, -18.4},
-                      {7, -17},
-                      {12.2, -13},
-                      {14, -6},
-                      {11.6, 2},
-                      {9.6, 10},
-                      {5.5, 16.6}},
+  // Pear: 37 high, 28 wide below, 19 in the upper third; a little in front of and above the deepest point.
+  return closedCurve({{0.2, 19.0},
+                      {-5.3, 16.5},
+                      {-8.1, 10.3},
+                      {-10.3, 2.3},
+                      {-12.6, -5.7},
+                      {-10.8, -13.2},
+                      {-5.3, -17.1},
+                      {1.2, -18.1},
+                      {8.2, -16.7},
+                      {13.4, -12.7},
+                      {15.2, -5.7},
+                      {12.8, 2.3},
+                      {10.8, 10.3},
+                      {6.7, 16.9}},
                      6);
 }
 
@@ -144,7 +147,7 @@ Vec3 onBlade(double x, double y, double dorsal) {
 
 std::vector<Knot> coracoid() {
   return {{{-9, 6, -41}, 9.5},      {{-3, 16.5, -44}, 8.6}, {{7, 22.5, -43.0}, 7.4},
-          {{17, 20.0, -37.5}, 6.9}, {{24, 14.5, -33}, 6.4}, {{27, 11, -31.5}, 5.6}};
+          {{17, 20.0, -37.5}, 6.9}, {{23.6, 14.7, -33}, 6.4}, {{26.3, 11.5, -31.6}, 5.6}};
 }
 
 Field coracoidField() {
@@ -156,9 +159,9 @@ Field acromionField() {
   Plate roof;
   roof.frame = acromion();
   roof.outline = closedCurve({{-27, -9},
-                              {-14, -13.5},
-                              {2, -13.5},
-                              {15, -11},
+                              {-14, -12.6},
+                              {2, -12.8},
+                              {15, -10.6},
                               {23, -6},
                               {25, -0},
                               {22, 6},
@@ -194,7 +197,7 @@ Field field() {
   bone = smoothUnion({bone, acromionField()}, 7);
   bone = smoothUnion({bone, coracoidField()}, 6);
   return smoothSubtract(bone, sphere((kSocketRadius - kSocketDepth) * socket.axes.col(2), kSocketRadius),
-                        1.2);
+                        2.0);
 }
 
 }  // namespace glenoid::generate::scapula

@@ -66,25 +66,26 @@ Sphere fitSphere(const std::vector<Vec3>& points) {
   return s;
 }
 
-Vec3 shaftAxis(const TriMesh& humerus, double yLow, double yHigh) {
-  // Middle of the outline that a horizontal plane cuts, weighted by its length.
-  const auto middle = [&](double y) {
-    Vec3 sum = Vec3::Zero();
-    double length = 0;
-    for (const auto& t : humerus.triangles) {
-      std::vector<Vec3> cut;
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 a = 1e3 * humerus.vertices[t[k]], b = 1e3 * humerus.vertices[t[(k + 1) % 3]];
-        if ((a.y() < y) != (b.y() < y)) cut.push_back(a + (y - a.y()) / (b.y() - a.y()) * (b - a));
-      }
-      if (cut.size() != 2) continue;
-      const double l = (cut[0] - cut[1]).norm();
-      sum += l * 0.5 * (cut[0] + cut[1]);
-      length += l;
+Vec3 shaftMiddle(const TriMesh& humerus, double y) {
+  // Weighted by the length of the outline's pieces.
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (const auto& t : humerus.triangles) {
+    std::vector<Vec3> cut;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 a = 1e3 * humerus.vertices[t[k]], b = 1e3 * humerus.vertices[t[(k + 1) % 3]];
+      if ((a.y() < y) != (b.y() < y)) cut.push_back(a + (y - a.y()) / (b.y() - a.y()) * (b - a));
     }
-    return Vec3(sum / length);
-  };
-  return (middle(yHigh) - middle(yLow)).normalized();
+    if (cut.size() != 2) continue;
+    const double l = (cut[0] - cut[1]).norm();
+    sum += l * 0.5 * (cut[0] + cut[1]);
+    length += l;
+  }
+  return sum / length;
+}
+
+Vec3 shaftAxis(const TriMesh& humerus, double yLow, double yHigh) {
+  return (shaftMiddle(humerus, yHigh) - shaftMiddle(humerus, yLow)).normalized();
 }
 
 GrooveCut grooveAt(const TriMesh& humerus, double y) {

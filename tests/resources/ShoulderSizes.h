@@ -21,6 +21,8 @@ struct Sphere {
 /// Least squares on |p|² = 2 c·p + (r² − |c|²).
 Sphere fitSphere(const std::vector<Vec3>& points);
 
+/// Middle of the outline that a horizontal plane cuts from the shaft, mm.
+Vec3 shaftMiddle(const TriMesh& humerus, double y);
 /// Unit, proximal: line through the middles of slices of the shaft between two heights.
 Vec3 shaftAxis(const TriMesh& humerus, double yLow, double yHigh);
 

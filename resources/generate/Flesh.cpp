@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "resources/generate/Flesh.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "resources/generate/Isosurface.h"
+#include "simcore/mesh/Simplify.h"
+#include "simcore/spatial/TriangleTree.h"
+
+namespace glenoid::generate {
+
+namespace {
+
+constexpr double kFar = 8;  // mm: farther than this from the tube a bound will do
+
+void evenOut(TriMesh& mesh, int rounds) {
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero());
+    std::vector<int> count(mesh.vertices.size(), 0);
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k) {
+        sum[t[k]] += mesh.vertices[t[(k + 1) % 3]];
+        ++count[t[k]];
+      }
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+      if (count[i] > 0) mesh.vertices[i] += 0.5 * (sum[i] / count[i] - mesh.vertices[i]);
+  }
+}
+
+TriMesh rawOf(const Flesh& flesh) {
+  TriMesh raw = sweep(flesh.tube, flesh.around, flesh.along);
+  evenOut(raw, flesh.evenings);
+  return raw;
+}
+
+Field cutOf(const TriMesh& raw, const Flesh& flesh) {
+  const auto tree = std::make_shared<const TriangleTree>(raw);
+  return [tree, obstacles = flesh.obstacles, edge = flesh.edge](const Vec3& p) {
+    const double reached = std::min(tree->closest(p, kFar).distance, kFar);
+    double d = tree->inside(p) ? -reached : reached;
+    if (d > edge + 1) return d;
+    for (const Obstacle& o : obstacles) {
+      const double inside = o.clearance - o.field(p);
+      const double h = std::max(edge - std::abs(d - inside), 0.0) / edge;
+      d = std::max(d, inside) + h * h * edge * 0.25;
+    }
+    return d;
+  };
+}
+
+}  // namespace
+
+Field fieldOf(const Flesh& flesh) {
+  return cutOf(rawOf(flesh), flesh);
+}
+
+TriMesh surfaceOf(const Flesh& flesh, int triangles) {
+  const TriMesh raw = rawOf(flesh);
+  const Field shape = cutOf(raw, flesh);
+  Box3 box = boundsOf(raw);
+  box.min() -= Vec3::Constant(2 * flesh.step);
+  box.max() += Vec3::Constant(2 * flesh.step);
+  TriMesh mesh = largestComponent(isosurface(shape, box, flesh.step));
+  relax(mesh, shape, 3);
+  return simplified(mesh, triangles);
+}
+
+double placeAlong(const std::vector<Station>& stations, const Vec3& p) {
+  constexpr int kSteps = 400;
+  double best = 1e300, place = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double s = double(i) / kSteps;
+    const Station st = stationAt(stations, s);
+    const double d = (st.base + 0.4 * st.thickness * st.up.normalized() - p).squaredNorm();
+    if (d < best) best = d, place = s;
+  }
+  return place;
+}
+
+TriMesh simplified(const TriMesh& mesh, int triangles) {
+  Result<TriMesh> answer = simplify(mesh, triangles);
+  if (!answer) {
+    // The shapes are constants of this program: a failure here is a bug in it, and there is no joint without
+    // them.
+    std::fprintf(stderr, "simplify: %s\n", toLogLine(answer.error()).c_str());
+    std::abort();
+  }
+  return std::move(*answer);
+}
+
+}  // namespace glenoid::generate
