@@ -212,7 +212,9 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
     return {regionAlong(visual, 8, 8, "root", "Radix (root in the labrum)", "footprint", 0, 0.3),
             regionAlong(visual, 8, 8, "tendon-end", "Finis (end in the biceps tendon)", "footprint", 0.72, 1)};
   if (id == "biceps-tendon")
-    return {regionAlong(visual, 6, 22, "distal-end", "Finis distalis (distal end below the groove)", "footprint", 0.9, 1)};
+    return {regionAlong(visual, 6, 22, "intra-articular", "Pars intraarticularis (part over the head)", "tendon", 0, 0.36),
+            regionAlong(visual, 6, 22, "in-groove", "Pars intertubercularis (part in the groove)", "tendon", 0.4, 0.66),
+            regionAlong(visual, 6, 22, "distal-end", "Finis distalis (distal end below the groove)", "footprint", 0.9, 1)};
   return {};
 }
 
