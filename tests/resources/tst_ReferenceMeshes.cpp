@@ -65,7 +65,9 @@ TEST(ReferenceMeshes, bonesLieNearThoseOfAMan) {
                     placed = distances(ours, theirs);
     std::printf("| %s | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.id, there.mean, there.middle, there.most,
                 placed.mean, back.mean);
-    if (row.bone) EXPECT_LT(there.mean, 4) << row.id;
+    if (row.bone) {
+      EXPECT_LT(there.mean, 4) << row.id;
+    }
   }
 }
 

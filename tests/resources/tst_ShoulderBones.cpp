@@ -196,8 +196,8 @@ TEST(Scapula, processesMeasureAsPublished) {
   expectMeasure("width of the coracoid", widest, "mm", tenth(14.6, "Siriraj 2004"));
   expectMeasure("thickness of the coracoid", thinnest, "mm", {11, 1, "von Schroeder 2001"});
   expectMeasure("acromion to humeral head", gap, "mm", {9.5, 0.95, "Petersson 1984"});
-  // Straight from the socket's upper end; the landmarks of the reference body alone stand 24 mm apart before the roof
-  // is raised, so the source must have measured between other points.
+  // From the socket's upper end to the nearest point of the roof. The source does not say between which points it
+  // measured; the roof's landmarks and the subacromial gap leave no room to bring it 8 mm nearer.
   reportMeasure("acromion to the glenoid's upper end", toGlenoid, "mm", {16, 2, "von Schroeder 2001"},
                 "measured between other points");
   // Siriraj measured scapulae of 139 mm, this one has 167; and the two landmarks, each held within 4 mm of its place
