@@ -29,7 +29,8 @@ RimPoint rimAt(double turn) {
   Vec2 out(along.y(), -along.x());
   if (out.dot(p) < 0) out = -out;
   out.normalize();
-  return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}), socket.axes * Vec3(out.x(), out.y(), 0)};
+  return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}),
+          socket.axes * Vec3(out.x(), out.y(), 0)};
 }
 
 Vec3 rootDirection() {
