@@ -29,7 +29,8 @@ RimPoint rimAt(double turn) {
   Vec2 out(along.y(), -along.x());
   if (out.dot(p) < 0) out = -out;
   out.normalize();
-  return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}), socket.axes * Vec3(out.x(), out.y(), 0)};
+  return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}),
+          socket.axes * Vec3(out.x(), out.y(), 0)};
 }
 
 Vec3 rootDirection() {
@@ -106,7 +107,7 @@ Surfaces bicepsTendon(const Bones& bones) {
 Surfaces labrumTendon(const Bones& bones) {
   const RimPoint top = rimAt(0);
   const Vec3 n = scapula::glenoid().axes.col(2);
-  std::vector<Vec3> path{top.at + 2.6 * top.out - 1.5 * n};
+  std::vector<Vec3> path{top.at + 1.0 * top.out - 1.0 * n};
   const double arcs[] = {3.5, 6.5, 9.5, 13.5}, above[] = {2.6, 1.6, 1.2, 1.0};
   for (int i = 0; i < 4; ++i) path.push_back((kOverHead + above[i]) * overHead(arcs[i] / kOverHead));
   // Broad where it leaves the ring, then the tendon's own section.
@@ -123,24 +124,24 @@ Surfaces labrumTendon(const Bones& bones) {
 
 Surfaces labrum(const Bones& bones) {
   const Vec3 n = scapula::glenoid().axes.col(2);
-  // A triangle over the rim: its base on bone, 4.5 wide, its free edge 0.9 mm from the head.
-  const auto ring = [&](int count, bool rounded, const Field& head) {
+  // A triangle over the rim: its base on bone, 4.5 wide, its free edge a millimetre from the head.
+  const auto ring = [&](int count, bool rounded, const Field& head, double room) {
     std::vector<std::vector<Vec3>> rings;
     for (int j = 0; j < count; ++j) {
       const RimPoint rim = rimAt(double(j) / count);
       const Vec3 inner = project(bones.scapulaShape, rim.at - 3.7 * rim.out, 0.1),
-                 outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - 4.2 * n, 0.4);
+                 outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - (rounded ? 4.6 : 4.2) * n, 0.4);
       const Vec3 toEdge = (rim.at + 0.7 * rim.out).normalized();
-      const Vec3 edge = settle(head, 30 * toEdge, toEdge, 0.9, 10);
+      const Vec3 edge = settle(head, 30 * toEdge, toEdge, room, 10);
       if (rounded)
         rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,
-                         0.45 * outer + 0.55 * edge + 0.9 * rim.out, outer});
+                         0.45 * outer + 0.55 * edge + 1.3 * rim.out, outer});
       else
         rings.push_back({inner, edge, outer});
     }
     return torus(rings);
   };
-  return {ring(53, true, bones.humerusShape), ring(20, false, bones.humerusCoarse)};
+  return {ring(53, true, bones.humerusShape, 0.9), ring(20, false, bones.humerusCoarse, 1.0)};
 }
 
 }  // namespace glenoid::generate

@@ -124,7 +124,8 @@ struct Lens {
   }
 };
 
-/// Moves vertices along the normals of their triangles until these lie as much within the shape as outside it.
+/// Moves vertices along the normals of their triangles until these lie as much within the shape as outside
+/// it.
 void fit(TriMesh& mesh, const Field& shape) {
   constexpr int kSamples = 4;
   for (int round = 0; round < 25; ++round) {
@@ -148,7 +149,8 @@ void fit(TriMesh& mesh, const Field& shape) {
   }
 }
 
-/// The scapula in 110 triangles, most of them in the socket and the roof: simplified in a space that is drawn out there.
+/// The scapula in 110 triangles, most of them in the socket and the roof: simplified in a space that is drawn
+/// out there.
 TriMesh coarseScapula(const TriMesh& visual, const Field& shape) {
   const Lens socket{scapula::glenoid().origin, 24}, roof{scapula::acromion().origin, 33};
   TriMesh drawn = visual;

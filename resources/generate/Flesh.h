@@ -13,7 +13,7 @@ struct Obstacle {
 };
 
 struct Flesh {
-  Tube tube;         ///< settles some way into the bone where the body should be bonded
+  Tube tube;  ///< settles some way into the bone where the body should be bonded
   int around = 48, along = 72;
   int evenings = 14;  ///< rounds of moving each vertex toward its neighbours
   std::vector<Obstacle> obstacles;

@@ -28,8 +28,8 @@ Vec3 medialEpicondyle() {
 }
 
 Vec3 canalAxis() {
-  // Through the middle of the elbow, passing 6.9 mm lateral and 2.6 mm in front of the head's centre (Boileau and
-  // Walch 1997).
+  // Through the middle of the elbow, passing 6.9 mm lateral and 2.6 mm in front of the head's centre (Boileau
+  // and Walch 1997).
   const Vec3 top = anatomicalAxes() * Vec3(2.6, 0, 6.9);
   const Vec3 elbow = 0.5 * (lateralEpicondyle() + medialEpicondyle());
   return (top - elbow).normalized();

@@ -71,7 +71,8 @@ Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps) {
 }
 
 Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps) {
-  // From the lesser to the greater tubercle, arching over the tendon in the groove; its ends thin out on bone.
+  // From the lesser to the greater tubercle, arching over the tendon in the groove; its ends thin out on
+  // bone.
   Tube tube;
   tube.roundness = 0.6;
   tube.endLength = 0.12;

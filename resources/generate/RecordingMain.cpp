@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// `generate_recording RESOURCES OUT.recording [arthroscopy|palpation]`: plans the input that ships with a scene from the
-/// joint and the scenario in the folder RESOURCES. Palpation: a finger presses, strokes and circles. Arthroscopy: the probe presses biceps tendon, labrum, cuff and cartilage from in front
-/// while the arthroscope leans on the head from behind. Same files in, same bytes out. Exit status 0 done, 1 failed,
-/// 2 usage.
+/// joint and the scenario in the folder RESOURCES. Palpation: a finger presses, strokes and circles. Arthroscopy: the
+/// probe presses biceps tendon (below its groove, where the tip does not slip off the arch), labrum, cuff and cartilage
+/// from in front while the arthroscope leans on the head from behind. Same files in, same bytes out. Exit status 0 done,
+/// 1 failed, 2 usage.
 #include <cstdio>
 
 #include "resources/generate/PressPlan.h"
@@ -25,7 +26,7 @@ glenoid::Recording arthroscopy(const glenoid::Joint& joint, const glenoid::Scena
   constexpr double kBegin = 1.5;  // s: one second to settle, half a second that counts as rest
   const Vec3 front = Vec3(0.8, 0.3, 0.5).normalized(), behind = Vec3(-0.9, 0.1, 0.3).normalized();
   Recording recording = planPresses(joint, scenario, "probe",
-                                    {{"press-biceps-tendon", "biceps-tendon", "", 5e-3},
+                                    {{"press-biceps-tendon", "biceps-tendon", "distal-end", 4e-3},
                                      {"press-labrum", "labrum", "", 4e-3},
                                      {"press-cuff", "subscapularis", "", 5e-3},
                                      {"press-cartilage", "humerus", "head-cartilage", 4e-3}},

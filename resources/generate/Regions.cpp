@@ -35,13 +35,14 @@ double toPath(const std::vector<Vec3>& path, const Vec3& p) {
   return best;
 }
 
-/// Whether a point of the humerus lies in a muscle's footprint: `length` along the border of the cartilage, `width`
-/// away from it, about the middle of the muscle's last stations.
+/// Whether a point of the humerus lies in a muscle's footprint: `length` along the border of the cartilage,
+/// `width` away from it, about the middle of the muscle's last stations.
 bool inFootprint(const std::vector<Station>& path, double length, double width, const Vec3& p) {
   const Station &before = path[path.size() - 3], &middle = path[path.size() - 2], &after = path.back();
   const Vec3 out = middle.up.normalized(), way = after.base - before.base;
   const Vec3 along = way.cross(out).normalized(), fibre = out.cross(along), d = p - middle.base;
-  return std::abs(d.dot(along)) < length / 2 && std::abs(d.dot(fibre)) < width / 2 && std::abs(d.dot(out)) < 12;
+  return std::abs(d.dot(along)) < length / 2 && std::abs(d.dot(fibre)) < width / 2 &&
+         std::abs(d.dot(out)) < 12;
 }
 
 std::vector<Region> scapulaRegions(const TriMesh& visual) {
@@ -92,7 +93,8 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
     return [=](const Vec3& p) { return inFootprint(path, length - 2, width - 4.5, p); };
   };
   return {
-      regionWhere(visual, "head-cartilage", "Caput humeri (cartilage of the humeral head)", "cartilage", onCartilage),
+      regionWhere(visual, "head-cartilage", "Caput humeri (cartilage of the humeral head)", "cartilage",
+                  onCartilage),
       regionWhere(visual, "bicipital-groove", "Sulcus intertubercularis (bicipital groove)", "groove",
                   [&](const Vec3& p) { return toPath(groove, p) < 4.5; }),
       regionWhere(visual, "greater-tubercle", "Tuberculum majus (greater tubercle)", "landmark",
@@ -100,21 +102,22 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
                     return toPath({{6.5, 9.8, 16.8}, {-4.5, 4, 16.8}, {-4.5, -9, 16.2}}, p) < 12 &&
                            p.norm() > humerus::kHeadRadius + 0.8;
                   }),
-      regionWhere(visual, "superior-facet", "Tuberculum majus, facies superior (supraspinatus facet)", "footprint",
-                  facet(supraspinatusPath(), 23, 16)),
+      regionWhere(visual, "superior-facet", "Tuberculum majus, facies superior (supraspinatus facet)",
+                  "footprint", facet(supraspinatusPath(), 23, 16)),
       regionWhere(visual, "middle-facet", "Tuberculum majus, facies media (infraspinatus facet)", "footprint",
                   facet(infraspinatusPath(), 29, 19)),
-      regionWhere(visual, "inferior-facet", "Tuberculum majus, facies inferior (teres minor facet)", "footprint",
-                  [&](const Vec3& p) {
-                    return toPath({{-14, -11, 22}, {-4, -11, 27}}, p) < 7 && p.norm() > humerus::kHeadRadius + 0.5;
-                  }),
+      regionWhere(
+          visual, "inferior-facet", "Tuberculum majus, facies inferior (teres minor facet)", "footprint",
+          [&](const Vec3& p) {
+            return toPath({{-14, -11, 22}, {-4, -11, 27}}, p) < 7 && p.norm() > humerus::kHeadRadius + 0.5;
+          }),
       regionWhere(visual, "lesser-tubercle", "Tuberculum minus (lesser tubercle)", "landmark",
                   [](const Vec3& p) {
                     return toPath({{19.2, 1.2, 0.2}, {17.4, -8, 3.4}}, p) < 9.5 &&
                            p.norm() > humerus::kHeadRadius + 0.8;
                   }),
-      regionWhere(visual, "lesser-tubercle-facet", "Tuberculum minus, facies (subscapularis facet)", "footprint",
-                  facet(subscapularisPath(), 40, 20)),
+      regionWhere(visual, "lesser-tubercle-facet", "Tuberculum minus, facies (subscapularis facet)",
+                  "footprint", facet(subscapularisPath(), 40, 20)),
       regionWhere(visual, "bare-area", "Area nuda capitis humeri (bare area)", "landmark",
                   [&](const Vec3& p) {
                     return std::abs(p.norm() - humerus::kHeadRadius) < 1.2 && !onCartilage(p) && p.x() < -8 &&
@@ -131,15 +134,16 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
 std::vector<Region> muscleRegions(const TriMesh& visual, const Bones& bones, const std::vector<Station>& path,
                                   double tendonFrom, const char* origin, const char* insertion) {
   const auto place = [path](const Vec3& p) { return placeAlong(path, p); };
-  return {
-      regionWhere(visual, "origin", origin, "footprint",
-                  [&](const Vec3& p) { return distance(bones.scapulaShape, p) < kAttached && place(p) < 0.62; }),
-      regionWhere(visual, "insertion", insertion, "footprint",
-                  [&](const Vec3& p) { return p.norm() > humerus::kHeadRadius + 1 &&
-                           distance(bones.humerusShape, p) < kAttached && place(p) > 0.8;
-                  }),
-      regionWhere(visual, "tendon", "Tendo (tendon)", "tendon",
-                  [&](const Vec3& p) { return place(p) > tendonFrom; })};
+  return {regionWhere(
+              visual, "origin", origin, "footprint",
+              [&](const Vec3& p) { return distance(bones.scapulaShape, p) < kAttached && place(p) < 0.62; }),
+          regionWhere(visual, "insertion", insertion, "footprint",
+                      [&](const Vec3& p) {
+                        return p.norm() > humerus::kHeadRadius + 1 &&
+                               distance(bones.humerusShape, p) < kAttached && place(p) > 0.8;
+                      }),
+          regionWhere(visual, "tendon", "Tendo (tendon)", "tendon",
+                      [&](const Vec3& p) { return place(p) > tendonFrom; })};
 }
 
 }  // namespace
@@ -180,39 +184,57 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
   const auto nearHumerus = [&](const Vec3& p) { return distance(bones.humerusShape, p) < kAttached; };
   if (id == "scapula") return scapulaRegions(visual);
   if (id == "humerus") return humerusRegions(visual);
-  if (id == "supraspinatus") return muscleRegions(visual, bones, supraspinatusPath(), 0.72, "Origo: fossa supraspinata (origin above the spine)",
+  if (id == "supraspinatus")
+    return muscleRegions(visual, bones, supraspinatusPath(), 0.72,
+                         "Origo: fossa supraspinata (origin above the spine)",
                          "Insertio: tuberculum majus (insertion, superior facet)");
-  if (id == "infraspinatus") return muscleRegions(visual, bones, infraspinatusPath(), 0.70, "Origo: fossa infraspinata (origin below the spine)",
+  if (id == "infraspinatus")
+    return muscleRegions(visual, bones, infraspinatusPath(), 0.70,
+                         "Origo: fossa infraspinata (origin below the spine)",
                          "Insertio: tuberculum majus (insertion, middle facet)");
-  if (id == "subscapularis") return muscleRegions(visual, bones, subscapularisPath(), 0.70, "Origo: fossa subscapularis (origin in front)",
+  if (id == "subscapularis")
+    return muscleRegions(visual, bones, subscapularisPath(), 0.70,
+                         "Origo: fossa subscapularis (origin in front)",
                          "Insertio: tuberculum minus (insertion, lesser tubercle)");
   if (id == "coracoacromial-ligament")
-    return {common(regionWhere(visual, "acromial-end", "Acromion (end on the acromion)", "footprint", nearScapula),
+    return {common(regionWhere(visual, "acromial-end", "Acromion (end on the acromion)", "footprint",
+                               nearScapula),
                    regionAlong(visual, 24, 34, "", "", "", 0, 0.45)),
-            common(regionWhere(visual, "coracoid-end", "Processus coracoideus (end on the coracoid)", "footprint", nearScapula),
+            common(regionWhere(visual, "coracoid-end", "Processus coracoideus (end on the coracoid)",
+                               "footprint", nearScapula),
                    regionAlong(visual, 24, 34, "", "", "", 0.55, 1))};
   if (id == "coracohumeral-ligament")
-    return {common(regionWhere(visual, "coracoid-end", "Processus coracoideus (end on the coracoid)", "footprint", nearScapula),
+    return {common(regionWhere(visual, "coracoid-end", "Processus coracoideus (end on the coracoid)",
+                               "footprint", nearScapula),
                    regionAlong(visual, 20, 13, "", "", "", 0, 0.4)),
-            common(regionWhere(visual, "humeral-end", "Tubercula (end on both tubercles)", "footprint", nearHumerus),
+            common(regionWhere(visual, "humeral-end", "Tubercula (end on both tubercles)", "footprint",
+                               nearHumerus),
                    regionAlong(visual, 20, 13, "", "", "", 0.7, 1))};
   if (id == "transverse-humeral-ligament")
-    return {
-        common(regionWhere(visual, "lesser-end", "Tuberculum minus (end on the lesser tubercle)", "footprint", nearHumerus),
-               regionAlong(visual, 12, 11, "", "", "", 0, 0.35)),
-        common(regionWhere(visual, "greater-end", "Tuberculum majus (end on the greater tubercle)", "footprint", nearHumerus),
-               regionAlong(visual, 12, 11, "", "", "", 0.65, 1))};
+    return {common(regionWhere(visual, "lesser-end", "Tuberculum minus (end on the lesser tubercle)",
+                               "footprint", nearHumerus),
+                   regionAlong(visual, 12, 11, "", "", "", 0, 0.35)),
+            common(regionWhere(visual, "greater-end", "Tuberculum majus (end on the greater tubercle)",
+                               "footprint", nearHumerus),
+                   regionAlong(visual, 12, 11, "", "", "", 0.65, 1))};
   if (id == "labrum")
-    return {regionWhere(visual, "base", "Labrum glenoidale, basis (base on the glenoid rim)", "footprint", nearScapula),
-            regionWhere(visual, "biceps-anchor", "Labrum glenoidale, pars superior (biceps anchor)", "landmark",
-                        [at = scapula::glenoid().toWorld({0.2, 19.5, 5.8})](const Vec3& p) {
+    return {regionWhere(visual, "base", "Labrum glenoidale, basis (base on the glenoid rim)", "footprint",
+                        nearScapula),
+            regionWhere(visual, "biceps-anchor", "Labrum glenoidale, pars superior (biceps anchor)",
+                        "landmark", [at = scapula::glenoid().toWorld({0.2, 19.5, 5.8})](const Vec3& p) {
                           return (p - at).norm() < 8;
                         })};
   if (id == "labrum-tendon")
-    return {regionAlong(visual, 8, 8, "root", "Radix (root in the labrum)", "footprint", 0, 0.3),
-            regionAlong(visual, 8, 8, "tendon-end", "Finis (end in the biceps tendon)", "footprint", 0.72, 1)};
+    return {
+        regionAlong(visual, 8, 8, "root", "Radix (root in the labrum)", "footprint", 0, 0.3),
+        regionAlong(visual, 8, 8, "tendon-end", "Finis (end in the biceps tendon)", "footprint", 0.72, 1)};
   if (id == "biceps-tendon")
-    return {regionAlong(visual, 6, 22, "distal-end", "Finis distalis (distal end below the groove)", "footprint", 0.9, 1)};
+    return {regionAlong(visual, 6, 22, "intra-articular", "Pars intraarticularis (part over the head)",
+                        "tendon", 0, 0.36),
+            regionAlong(visual, 6, 22, "in-groove", "Pars intertubercularis (part in the groove)", "tendon",
+                        0.4, 0.66),
+            regionAlong(visual, 6, 22, "distal-end", "Finis distalis (distal end below the groove)",
+                        "footprint", 0.9, 1)};
   return {};
 }
 
@@ -241,28 +263,35 @@ std::vector<Landmark> landmarksOf(const std::string& id, const Bones& bones) {
     add("glenoid-inferior", "Cavitas glenoidalis, inferior (lower end)", rim(1.6, -17.9));
     add("glenoid-anterior", "Cavitas glenoidalis, anterior (front)", rim(15, -5.2));
     add("glenoid-posterior", "Cavitas glenoidalis, posterior (back)", rim(-12.4, -5.2));
-    add("supraglenoid-tubercle", "Tuberculum supraglenoidale (biceps anchor)", onScapula({-10.5, 14.5, -24.9}));
+    add("supraglenoid-tubercle", "Tuberculum supraglenoidale (biceps anchor)",
+        onScapula({-10.5, 14.5, -24.9}));
   }
   if (id == "humerus") {
     add("head-centre", "Centrum capitis (centre of the humeral head, GH)", Vec3::Zero());
     add("head-top", "Caput humeri, superior (top of the head)", onHumerus({-1.1, 24.1, 0.4}));
-    add("head-apex", "Caput humeri, apex (middle of the cartilage)", onHumerus(humerus::kHeadRadius * humerus::headAxis()));
+    add("head-apex", "Caput humeri, apex (middle of the cartilage)",
+        onHumerus(humerus::kHeadRadius * humerus::headAxis()));
     add("greater-tubercle-lateral", "Tuberculum majus, lateralis (side of the greater tubercle)",
         onHumerus({2.0, 16.9, 26.7}));
-    add("greater-tubercle-top", "Tuberculum majus, apex (top of the greater tubercle)", onHumerus({8.3, 22.2, 9.8}));
+    add("greater-tubercle-top", "Tuberculum majus, apex (top of the greater tubercle)",
+        onHumerus({8.3, 22.2, 9.8}));
     add("superior-facet", "Facies superior (supraspinatus facet)", onHumerus({9.0, 15.7, 23.3}));
     add("middle-facet", "Facies media (infraspinatus facet)", onHumerus({-8.2, 9.7, 24.7}));
     add("inferior-facet", "Facies inferior (teres minor facet)", onHumerus({-5.5, -5.5, 26.2}));
     add("lesser-tubercle", "Tuberculum minus (front of the lesser tubercle)", onHumerus({27.3, -0.8, 3.9}));
-    add("lesser-tubercle-facet", "Tuberculum minus, facies (subscapularis facet)", onHumerus({23.8, 1.4, -2.2}));
+    add("lesser-tubercle-facet", "Tuberculum minus, facies (subscapularis facet)",
+        onHumerus({23.8, 1.4, -2.2}));
     add("groove-top", "Sulcus intertubercularis, superior (upper end of the groove)",
         onHumerus(humerus::groovePath().front()));
-    add("groove-middle", "Sulcus intertubercularis, medius (middle of the groove)", onHumerus({17.7, 3.2, 13.0}));
+    add("groove-middle", "Sulcus intertubercularis, medius (middle of the groove)",
+        onHumerus({17.7, 3.2, 13.0}));
     add("groove-bottom", "Sulcus intertubercularis, inferior (lower end of the groove)",
         onHumerus(humerus::groovePath()[4]));
     add("deltoid-tuberosity", "Tuberositas deltoidea (deltoid tuberosity)", onHumerus({-3.7, -99.5, 42.8}));
-    add("lateral-epicondyle", "Epicondylus lateralis (outer elbow, EL)", onHumerus(humerus::lateralEpicondyle()));
-    add("medial-epicondyle", "Epicondylus medialis (inner elbow, EM)", onHumerus(humerus::medialEpicondyle()));
+    add("lateral-epicondyle", "Epicondylus lateralis (outer elbow, EL)",
+        onHumerus(humerus::lateralEpicondyle()));
+    add("medial-epicondyle", "Epicondylus medialis (inner elbow, EM)",
+        onHumerus(humerus::medialEpicondyle()));
   }
   return landmarks;
 }

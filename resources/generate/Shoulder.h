@@ -7,7 +7,7 @@
 /// surfaces of our own.
 namespace glenoid::generate {
 
-/// Surfaces, regions, materials, couplings and exclusions; metres. Deterministic; takes some ten seconds.
+/// Surfaces, regions, materials, couplings and exclusions; metres. Deterministic; takes some forty seconds.
 JointRecipe shoulderRecipe();
 
 /// The recipe carried through the author's pipeline (separation, cells). Fails as buildJoint does.

@@ -68,7 +68,9 @@ TriMesh surfaceOf(const Part& part, const std::string& id) {
 double areaOf(const TriMesh& mesh) {
   double area = 0;
   for (const auto& t : mesh.triangles)
-    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+    area +=
+        0.5 *
+        (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
   return area;
 }
 
@@ -99,7 +101,8 @@ Cut cutBy(const TriMesh& mesh, const Vec3& origin, const Vec3& normal, double re
     if (count != 2) continue;
     const Vec3 middle = 0.5 * (ends[0] + ends[1]);
     if ((middle - origin).norm() > reach) continue;
-    const Vec3 outward = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
+    const Vec3 outward =
+        (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
     // Green's theorem in the plane: half the sum of the distance of each piece times its length.
     const Vec3 along = ends[1] - ends[0];
     Vec3 side = along.cross(n);
@@ -156,7 +159,8 @@ Band measureBand(const TriMesh& mesh, const Vec3& first, const Vec3& last, const
     band.widthLast = width;
     // Half the outline is the width along a curved section.
     double outline = 0;
-    for (std::size_t k = 0; k + 1 < cut.points.size(); k += 2) outline += (cut.points[k + 1] - cut.points[k]).norm();
+    for (std::size_t k = 0; k + 1 < cut.points.size(); k += 2)
+      outline += (cut.points[k + 1] - cut.points[k]).norm();
     thickness += cut.area / (outline / 2);
   }
   for (std::size_t i = 1; i < edgeA.size(); ++i) {

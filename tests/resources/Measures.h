@@ -38,7 +38,8 @@ Cut cutBy(const TriMesh& mesh, const Vec3& origin, const Vec3& normal, double re
 
 /// Extent of points along a direction.
 double extentAlong(const std::vector<Vec3>& points, const Vec3& direction);
-/// Extents along the principal axes of a surface, area weighted, longest first; columns of `axes` are the axes.
+/// Extents along the principal axes of a surface, area weighted, longest first; columns of `axes` are the
+/// axes.
 struct Extents {
   Vec3 size;
   Mat3 axes;
@@ -47,9 +48,9 @@ Extents principalExtents(const TriMesh& mesh);
 
 /// A band from one end to the other: sections across the line between the middles of its ends.
 struct Band {
-  double lengthA, lengthB;           ///< mm, of its two edges, between the given shares of the way
-  double widthFirst, widthLast;      ///< mm, at the two ends
-  double thickness;                  ///< mm, mean of section area over width
+  double lengthA, lengthB;       ///< mm, of its two edges, between the given shares of the way
+  double widthFirst, widthLast;  ///< mm, at the two ends
+  double thickness;              ///< mm, mean of section area over width
 };
 Band measureBand(const TriMesh& mesh, const Vec3& first, const Vec3& last, const Vec3& acrossHint);
 

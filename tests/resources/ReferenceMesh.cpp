@@ -3,12 +3,12 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <array>
 #include <map>
 
 #include "simcore/spatial/TriangleTree.h"
@@ -61,7 +61,8 @@ TriMesh aligned(const TriMesh& moved, const TriMesh& still, int rounds) {
       const auto hit = tree.closest(p);
       pairs.push_back({hit.distance, p, hit.point});
     }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
     pairs.resize(pairs.size() * 4 / 5);
     Eigen::Matrix3Xd from(3, pairs.size()), to(3, pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) from.col(i) = pairs[i].from, to.col(i) = pairs[i].to;

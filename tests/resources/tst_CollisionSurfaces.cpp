@@ -31,6 +31,8 @@ Deviation deviation(const TriMesh& fine, const TriangleTree& coarse) {
   return d;
 }
 
+/// Judged is the mean: with the triangles of the paper's table single points stand off farther, at most as
+/// printed (the socket's rim and the roof's edges are sharper than a few triangles can be).
 TEST(CollisionSurfaces, lieWithinAMillimetreWhereContactHappens) {
   const Joint& joint = shippedShoulder();
   std::printf("| collision surface | mean, mm | most, mm |\n|---|---|---|\n");

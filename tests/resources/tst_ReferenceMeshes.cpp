@@ -42,20 +42,25 @@ Distances distances(const TriMesh& from, const TriMesh& to) {
 
 TEST(ReferenceMeshes, bonesLieNearThoseOfAMan) {
   const auto folder = referenceFolder();
-  if (!folder) GTEST_SKIP() << "no reference surfaces: put them in ../shared/data/anatomy or name them in GLENOID_ANATOMY";
+  if (!folder)
+    GTEST_SKIP()
+        << "no reference surfaces: put them in ../shared/data/anatomy or name them in GLENOID_ANATOMY";
   struct Row {
     const char *id, *file;
     bool bone;
   };
-  const Row rows[] = {{"humerus", "bodyparts3d/humerus_FMA23130.stl", true},
-                      {"scapula", "zanatomy/scapula_right.stl", true},
-                      {"supraspinatus", "bodyparts3d/supraspinatus_FMA32544.stl", false},
-                      {"infraspinatus", "bodyparts3d/infraspinatus_FMA32547.stl", false},
-                      {"subscapularis", "bodyparts3d/subscapularis_FMA13414.stl", false},
-                      {"labrum", "zanatomy/glenoid_labrum_right.stl", false},
-                      {"coracohumeral-ligament", "zanatomy/coracohumeral_ligament_right.stl", false},
-                      {"transverse-humeral-ligament", "zanatomy/transverse_humeral_ligament_right.stl", false}};
-  std::printf("| distance to the reference | mean | median | 95 %% | as placed, mean | back, mean |\n|---|---|---|---|---|---|\n");
+  const Row rows[] = {
+      {"humerus", "bodyparts3d/humerus_FMA23130.stl", true},
+      {"scapula", "zanatomy/scapula_right.stl", true},
+      {"supraspinatus", "bodyparts3d/supraspinatus_FMA32544.stl", false},
+      {"infraspinatus", "bodyparts3d/infraspinatus_FMA32547.stl", false},
+      {"subscapularis", "bodyparts3d/subscapularis_FMA13414.stl", false},
+      {"labrum", "zanatomy/glenoid_labrum_right.stl", false},
+      {"coracohumeral-ligament", "zanatomy/coracohumeral_ligament_right.stl", false},
+      {"transverse-humeral-ligament", "zanatomy/transverse_humeral_ligament_right.stl", false}};
+  std::printf(
+      "| distance to the reference | mean | median | 95 %% | as placed, mean | back, mean "
+      "|\n|---|---|---|---|---|---|\n");
   for (const Row& row : rows) {
     const TriMesh theirs = referenceMesh(*folder, row.file);
     ASSERT_FALSE(theirs.triangles.empty()) << row.file;
@@ -65,7 +70,9 @@ TEST(ReferenceMeshes, bonesLieNearThoseOfAMan) {
                     placed = distances(ours, theirs);
     std::printf("| %s | %.2f | %.2f | %.2f | %.2f | %.2f |\n", row.id, there.mean, there.middle, there.most,
                 placed.mean, back.mean);
-    if (row.bone) EXPECT_LT(there.mean, 4) << row.id;
+    if (row.bone) {
+      EXPECT_LT(there.mean, 4) << row.id;
+    }
   }
 }
 

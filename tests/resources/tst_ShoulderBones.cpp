@@ -34,7 +34,8 @@ TEST(Humerus, measuresAsPublished) {
   const TriMesh surface = surfaceOf(bone, "head-cartilage");
   const Vec3 axis = (centroidOf(surface) - head.centre).normalized();
   // Archimedes: a cap of height h has the area 2πRh.
-  expectMeasure("height of the head's cap", areaOf(surface) / (2 * std::numbers::pi * head.radius), "mm", {19, 2.4, "Iannotti 1992"});
+  expectMeasure("height of the head's cap", areaOf(surface) / (2 * std::numbers::pi * head.radius), "mm",
+                {19, 2.4, "Iannotti 1992"});
 
   const Vec3 shaft = shaftAxis(*bone.visual, -215, -140);
   expectMeasure("neck-shaft angle", 180 - angleBetween(axis, shaft), "deg", {135, 5, "anatomy.md 2.3"});
@@ -52,13 +53,15 @@ TEST(Humerus, measuresAsPublished) {
   }
   const auto flat = [&](const Vec3& v) { return Vec3(v - v.dot(shaft) * shaft); };
   const Vec3 toMedial = flat(medial - lateral).normalized(), forward = shaft.cross(-toMedial);
-  expectMeasure("retroversion of the head", inDegrees(std::atan2(-flat(axis).dot(forward), flat(axis).dot(toMedial))),
-                "deg", {26, 11, "Matsumura 2014"});
+  expectMeasure("retroversion of the head",
+                inDegrees(std::atan2(-flat(axis).dot(forward), flat(axis).dot(toMedial))), "deg",
+                {26, 11, "Matsumura 2014"});
   const Vec3 offset = flat(head.centre - shaftMiddle(*bone.visual, -140));
   expectMeasure("head medial of the shaft's axis", offset.dot(toMedial), "mm", tenth(6.9, "Boileau 1997"));
   expectMeasure("head behind the shaft's axis", -offset.dot(forward), "mm", tenth(2.6, "Boileau 1997"));
   expectMeasure("length of the humerus", high - low, "mm", tenth(320, "anatomy.md 2.3"));
-  expectMeasure("width over the epicondyles", (lateral - medial).norm(), "mm", tenth(70.1, "reference x 1.0975"));
+  expectMeasure("width over the epicondyles", (lateral - medial).norm(), "mm",
+                tenth(70.1, "reference x 1.0975"));
   EXPECT_LT(top, head.radius) << "the greater tubercle stays below the top of the head";
   EXPECT_GT(top, 0.55 * head.radius);
 }
@@ -103,8 +106,8 @@ TEST(Scapula, glenoidMeasuresAsPublished) {
   const Vec3 bladeUp = ((ts - ai) - (ts - ai).dot(axis) * axis).normalized(), forward = bladeUp.cross(axis);
   expectMeasure("version of the glenoid", inDegrees(std::atan2(normal.dot(forward), normal.dot(axis))), "deg",
                 {-8, 4, "von Schroeder 2001"});
-  expectMeasure("inclination of the glenoid", inDegrees(std::atan2(normal.dot(bladeUp), normal.dot(axis))), "deg",
-                {7.1, 4.1, "PMC12925909"});
+  expectMeasure("inclination of the glenoid", inDegrees(std::atan2(normal.dot(bladeUp), normal.dot(axis))),
+                "deg", {7.1, 4.1, "PMC12925909"});
   const Vec3 dorsal = -forward;
   expectMeasure("scapular plane to the coronal plane", angleBetween(dorsal, -Vec3::UnitX()), "deg",
                 {35, 5, "anatomy.md 2.3"});
@@ -120,9 +123,10 @@ TEST(Scapula, measuresAsPublished) {
                 {155, 16, "von Schroeder 2001"});
   expectMeasure("trigonum to inferior angle", (ts - ai).norm(), "mm", tenth(125.1, "reference x 1.0975"));
   expectMeasure("trigonum to glenoid centre", (ts - centre).norm(), "mm", tenth(115.1, "reference x 1.0975"));
-  expectMeasure("spine, trigonum to the acromion's edge", (ts - landmark(bone, "acromion-lateral")).norm(), "mm",
-                {134, 12, "von Schroeder 2001"});
-  const Vec3 x = (centre - ts).normalized(), y = ((ts - ai) - (ts - ai).dot(x) * x).normalized(), z = x.cross(y);
+  expectMeasure("spine, trigonum to the acromion's edge", (ts - landmark(bone, "acromion-lateral")).norm(),
+                "mm", {134, 12, "von Schroeder 2001"});
+  const Vec3 x = (centre - ts).normalized(), y = ((ts - ai) - (ts - ai).dot(x) * x).normalized(),
+             z = x.cross(y);
   const Vec3 lateral = 0.5 * (landmark(bone, "glenoid-inferior") + ai);
   double thick = 0, border = 0;
   for (double in = 1; in < 8; in += 1)
@@ -139,8 +143,10 @@ TEST(Scapula, measuresAsPublished) {
       if ((p - ts).dot(z) > (crest - ts).dot(z) && std::abs((p - ts).dot(y)) < 40) crest = p;
     return (crest - ts).dot(z);
   };
-  expectMeasure("height of the spine 1 cm from the medial edge", spineAt(10), "mm", tenth(7, "von Schroeder 2001"));
-  expectMeasure("height of the spine 4 cm from the medial edge", spineAt(40), "mm", tenth(18, "von Schroeder 2001"));
+  expectMeasure("height of the spine 1 cm from the medial edge", spineAt(10), "mm",
+                tenth(7, "von Schroeder 2001"));
+  expectMeasure("height of the spine 4 cm from the medial edge", spineAt(40), "mm",
+                tenth(18, "von Schroeder 2001"));
   const double notch = spineAt((centre - ts).norm() - 26);
   expectMeasure("height of the spine at the notch", notch, "mm", tenth(46, "von Schroeder 2001"));
 }
@@ -189,20 +195,23 @@ TEST(Scapula, processesMeasureAsPublished) {
   double widest = 0, thinnest = 1e9;
   const Vec3 u = hook.cross(Vec3::UnitZ()).normalized(), v = hook.cross(u);
   for (double a = 0; a < 180; a += 3) {
-    const double r = a * std::numbers::pi / 180, size = extentAlong(section.points, std::cos(r) * u + std::sin(r) * v);
+    const double r = a * std::numbers::pi / 180,
+                 size = extentAlong(section.points, std::cos(r) * u + std::sin(r) * v);
     widest = std::max(widest, size);
     thinnest = std::min(thinnest, size);
   }
   expectMeasure("width of the coracoid", widest, "mm", tenth(14.6, "Siriraj 2004"));
   expectMeasure("thickness of the coracoid", thinnest, "mm", {11, 1, "von Schroeder 2001"});
   expectMeasure("acromion to humeral head", gap, "mm", {9.5, 0.95, "Petersson 1984"});
-  // Straight from the socket's upper end; the landmarks of the reference body alone stand 24 mm apart before the roof
-  // is raised, so the source must have measured between other points.
+  // From the socket's upper end to the nearest point of the roof. The source does not say between which
+  // points it measured; the roof's landmarks and the subacromial gap leave no room to bring it 8 mm nearer.
   reportMeasure("acromion to the glenoid's upper end", toGlenoid, "mm", {16, 2, "von Schroeder 2001"},
                 "measured between other points");
-  // Siriraj measured scapulae of 139 mm, this one has 167; and the two landmarks, each held within 4 mm of its place
-  // on the reference body, are 44 mm apart once the acromion is raised to a subacromial gap of 9 mm.
-  reportMeasure("coracoid tip to acromion", toTip, "mm", {31, 4, "Siriraj 2004"}, "the landmarks stand farther apart");
+  // Siriraj measured scapulae of 139 mm, this one has 167; and the two landmarks, each held within 4 mm of
+  // its place on the reference body, are 44 mm apart once the acromion is raised to a subacromial gap of 9
+  // mm.
+  reportMeasure("coracoid tip to acromion", toTip, "mm", {31, 4, "Siriraj 2004"},
+                "the landmarks stand farther apart");
 }
 
 }  // namespace

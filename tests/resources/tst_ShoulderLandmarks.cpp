@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kNear = 4;  // mm
 
-/// Measured on the reference body, times 1.0975. The acromion's points stand 4 mm higher in the joint, for the
-/// subacromial gap of a healthy shoulder; the distance below counts that.
+/// Measured on the reference body, times 1.0975. The acromion's points stand 4 mm higher in the joint, for
+/// the subacromial gap of a healthy shoulder; the distance below counts that.
 struct Point {
   const char *part, *id;
   Vec3 wanted;
@@ -96,17 +96,20 @@ TEST(ShoulderLandmarks, lieOnTheBone) {
     for (const Landmark& l : bone.landmarks) {
       if (l.id == "head-centre") continue;
       EXPECT_LT(tree.closest(l.position_W).distance, 1e-3) << l.id;
-      EXPECT_NE(l.name.find('('), std::string::npos) << l.id << ": the anatomist's name with the lay name beside it";
+      EXPECT_NE(l.name.find('('), std::string::npos)
+          << l.id << ": the anatomist's name with the lay name beside it";
     }
   }
 }
 
 TEST(ShoulderRegions, areNamedAndNotEmpty) {
   const std::pair<const char*, std::vector<const char*>> wanted[] = {
-      {"scapula", {"glenoid-cartilage", "acromion", "acromial-angle", "coracoid", "coracoid-tip", "biceps-anchor",
-                   "supraspinous-fossa", "scapular-spine"}},
-      {"humerus", {"head-cartilage", "bicipital-groove", "greater-tubercle", "superior-facet", "middle-facet",
-                   "inferior-facet", "lesser-tubercle", "lesser-tubercle-facet", "bare-area", "rotator-interval"}},
+      {"scapula",
+       {"glenoid-cartilage", "acromion", "acromial-angle", "coracoid", "coracoid-tip", "biceps-anchor",
+        "supraspinous-fossa", "scapular-spine"}},
+      {"humerus",
+       {"head-cartilage", "bicipital-groove", "greater-tubercle", "superior-facet", "middle-facet",
+        "inferior-facet", "lesser-tubercle", "lesser-tubercle-facet", "bare-area", "rotator-interval"}},
       {"labrum", {"base", "biceps-anchor"}},
       {"supraspinatus", {"origin", "insertion", "tendon"}},
       {"infraspinatus", {"origin", "insertion", "tendon"}},
@@ -114,7 +117,8 @@ TEST(ShoulderRegions, areNamedAndNotEmpty) {
   for (const auto& [part, regions] : wanted)
     for (const char* id : regions) {
       const TriMesh surface = surfaceOf(partOf(shippedShoulder(), part), id);
-      std::printf("region %s %s: %zu triangles, %.0f mm2\n", part, id, surface.triangles.size(), areaOf(surface));
+      std::printf("region %s %s: %zu triangles, %.0f mm2\n", part, id, surface.triangles.size(),
+                  areaOf(surface));
       EXPECT_GE(surface.triangles.size(), 6u) << part << ' ' << id;
     }
 }

@@ -44,8 +44,9 @@ TEST(Shoulder, hasTheElevenPartsOfTableOne) {
     EXPECT_NEAR(double(part.visual->triangles.size()), row.visual, 0.05 * row.visual) << row.id;
     EXPECT_NEAR(double(part.collision->triangles.size()), row.collision, std::max(0.05 * row.collision, 4.0))
         << row.id;
-    if (row.soft)
+    if (row.soft) {
       EXPECT_NEAR(double(part.volume->tets.size()), row.tetrahedra, 0.15 * row.tetrahedra) << row.id;
+    }
   }
 }
 
@@ -57,7 +58,9 @@ TEST(Shoulder, surfacesAreClosedAndDoNotCutThemselves) {
     EXPECT_EQ(collision.components, 1) << part.id;
     EXPECT_EQ(collision.genus, part.id == "labrum" ? 1 : 0) << part.id;
     EXPECT_EQ(countSelfIntersections(*part.collision), 0) << part.id;
-    if (part.volume) EXPECT_TRUE(healthOf(*part.volume).healthy()) << part.id;
+    if (part.volume) {
+      EXPECT_TRUE(healthOf(*part.volume).healthy()) << part.id;
+    }
   }
 }
 
@@ -82,8 +85,9 @@ TEST(Shoulder, hasTheCouplingsOfTableOne) {
 TEST(Shoulder, materialsSayWhatTheyScale) {
   for (const Material& m : shippedShoulder().materials) {
     EXPECT_FALSE(m.source.empty()) << m.id;
-    if (m.literatureYoungsModulus && *m.literatureYoungsModulus != m.youngsModulus)
+    if (m.literatureYoungsModulus && *m.literatureYoungsModulus != m.youngsModulus) {
       EXPECT_FALSE(m.reason.empty()) << m.id;
+    }
   }
 }
 

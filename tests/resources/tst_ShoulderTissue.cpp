@@ -23,11 +23,20 @@ TEST(Cuff, musclesMeasureAsPublished) {
     Wanted volume, length, thickness;
   };
   const Row rows[] = {
-      {"supraspinatus", "supraspinatus", {47.5, 2.5, "anatomy.md 2.3"}, tenth(140, "anatomy.md 3"),
+      {"supraspinatus",
+       "supraspinatus",
+       {47.5, 2.5, "anatomy.md 2.3"},
+       tenth(140, "anatomy.md 3"),
        tenth(20, "anatomy.md 3")},
-      {"infraspinatus", "infraspinatus", {115, 5, "anatomy.md 2.3"}, tenth(174, "anatomy.md 3"),
+      {"infraspinatus",
+       "infraspinatus",
+       {115, 5, "anatomy.md 2.3"},
+       tenth(174, "anatomy.md 3"),
        {22.5, 2.5, "anatomy.md 3"}},
-      {"subscapularis", "subscapularis", {91, 15, "CISE 2019, men"}, tenth(160, "anatomy.md 3"),
+      {"subscapularis",
+       "subscapularis",
+       {91, 15, "CISE 2019, men"},
+       tenth(160, "anatomy.md 3"),
        {22.5, 2.5, "anatomy.md 2.3"}},
   };
   for (const Row& row : rows) {
@@ -56,45 +65,53 @@ TEST(Cuff, tendonsAndFootprintsMeasureAsPublished) {
     const Vec3 back = centroidOf(surfaceOf(part, "tendon")) - middle;
     const Vec3 fibre = (back - back.dot(out) * out).normalized(), along = fibre.cross(out);
     const Extents size = principalExtents(footprint);
-    expectMeasure(name + ", footprint along the cartilage", size.size[0], "mm", tenth(row.length, "Curtis 2006"));
+    expectMeasure(name + ", footprint along the cartilage", size.size[0], "mm",
+                  tenth(row.length, "Curtis 2006"));
     expectMeasure(name + ", footprint away from it", size.size[1], "mm", tenth(row.width, "Curtis 2006"));
     // The source gives no areas: a rectangle of its length and width is the most that they can be.
     reportMeasure(name + ", footprint area", areaOf(footprint), "mm2",
-                  tenth(row.length * row.width, "Curtis 2006, length x width"), "only a rectangle has this area");
+                  tenth(row.length * row.width, "Curtis 2006, length x width"),
+                  "only a rectangle has this area");
     // The tendon's own edges stand off the bone, which falls away beside the facets.
     const Wanted whole = tenth(row.length, "Curtis 2006"), deep = tenth(row.width, "Curtis 2006");
     const char* const why = "the bone falls away under the tendon's edges";
-    reportMeasure(name + ", bonded along the cartilage", extentAlong(bonded.vertices, along), "mm", whole, why);
+    reportMeasure(name + ", bonded along the cartilage", extentAlong(bonded.vertices, along), "mm", whole,
+                  why);
     reportMeasure(name + ", bonded away from it", extentAlong(bonded.vertices, fibre), "mm", deep, why);
     EXPECT_LT((centroidOf(bonded) - middle).norm(), 5) << name << ": the tendon ends where its footprint is";
     // A section across the fibres, over the head, 15 mm before the footprint's middle.
     const double angle = 15.0 / middle.norm();
-    const Vec3 at = (std::cos(angle) * middle + std::sin(angle) * middle.norm() * fibre) * (1 + 2.0 / middle.norm());
+    const Vec3 at =
+        (std::cos(angle) * middle + std::sin(angle) * middle.norm() * fibre) * (1 + 2.0 / middle.norm());
     const Vec3 across = (std::cos(angle) * fibre - std::sin(angle) * out).normalized();
     const Cut cut = cutBy(mesh, at, across, 0.6 * row.length + 12);
     const double width = extentAlong(cut.points, along), thickness = cut.area / width;
     expectMeasure(name + ", width of the tendon", width, "mm", tenth(row.length, "Curtis 2006"));
-    expectMeasure(name + ", thickness of the tendon", thickness, "mm",
-                  {5.5, 0.5, "anatomy.md 3: 5 to 6"});
+    expectMeasure(name + ", thickness of the tendon", thickness, "mm", {5.5, 0.5, "anatomy.md 3: 5 to 6"});
   }
 }
 
 TEST(Ligaments, measureAsPublished) {
   const Joint& joint = shippedShoulder();
   const auto ends = [&](const char* id, const char* a, const char* b) {
-    return std::pair(centroidOf(surfaceOf(partOf(joint, id), a)), centroidOf(surfaceOf(partOf(joint, id), b)));
+    return std::pair(centroidOf(surfaceOf(partOf(joint, id), a)),
+                     centroidOf(surfaceOf(partOf(joint, id), b)));
   };
   {
     const auto [first, last] = ends("coracoacromial-ligament", "acromial-end", "coracoid-end");
     const Band band = measureBand(visualOf("coracoacromial-ligament"), first, last, Vec3(0.6, 0, 0.8));
-    const double lateral = std::max(band.lengthA, band.lengthB), medial = std::min(band.lengthA, band.lengthB);
-    expectMeasure("coracoacromial ligament, lateral edge", lateral, "mm", {34.9, 4.6, "doi 10.1155/2019/3024769"});
-    expectMeasure("coracoacromial ligament, medial edge", medial, "mm", {33.6, 5.3, "doi 10.1155/2019/3024769"});
+    const double lateral = std::max(band.lengthA, band.lengthB),
+                 medial = std::min(band.lengthA, band.lengthB);
+    expectMeasure("coracoacromial ligament, lateral edge", lateral, "mm",
+                  {34.9, 4.6, "doi 10.1155/2019/3024769"});
+    expectMeasure("coracoacromial ligament, medial edge", medial, "mm",
+                  {33.6, 5.3, "doi 10.1155/2019/3024769"});
     expectMeasure("coracoacromial ligament, width at the acromion", band.widthFirst, "mm",
                   {29.8, 9.5, "doi 10.1155/2019/3024769"});
     expectMeasure("coracoacromial ligament, width at the coracoid", band.widthLast, "mm",
                   {12.6, 4, "doi 10.1155/2019/3024769"});
-    expectMeasure("coracoacromial ligament, thickness", band.thickness, "mm", tenth(1.1, "doi 10.1155/2019/3024769"));
+    expectMeasure("coracoacromial ligament, thickness", band.thickness, "mm",
+                  tenth(1.1, "doi 10.1155/2019/3024769"));
   }
   {
     const TriMesh mesh = visualOf("coracohumeral-ligament");
@@ -107,7 +124,8 @@ TEST(Ligaments, measureAsPublished) {
     for (const Vec3& p : middle.points)
       for (const Vec3& q : middle.points) width = std::max(width, (p - q).norm());
     expectMeasure("coracohumeral ligament, width", width, "mm", {15, 5, "anatomy.md 2.3: 10 to 20"});
-    expectMeasure("coracohumeral ligament, thickness", band.thickness, "mm", {3, 1, "anatomy.md 2.3: 2 to 4"});
+    expectMeasure("coracohumeral ligament, thickness", band.thickness, "mm",
+                  {3, 1, "anatomy.md 2.3: 2 to 4"});
   }
   {
     const TriMesh mesh = visualOf("transverse-humeral-ligament");
@@ -115,18 +133,22 @@ TEST(Ligaments, measureAsPublished) {
     const auto [first, last] = ends("transverse-humeral-ligament", "lesser-end", "greater-end");
     double across = 0;  // along the arch: half the outline of a section across the shaft
     const Cut arch = cutBy(mesh, centroidOf(mesh), Vec3::UnitY(), 30);
-    for (std::size_t k = 0; k + 1 < arch.points.size(); k += 2) across += (arch.points[k + 1] - arch.points[k]).norm() / 2;
-    expectMeasure("transverse humeral ligament, from tubercle to tubercle", across, "mm", tenth(21, "Khan 2020"));
-    expectMeasure("transverse humeral ligament, along the groove", extentAlong(mesh.vertices, Vec3::UnitY()), "mm",
-                  tenth(16.7, "Khan 2020"));
-    expectMeasure("transverse humeral ligament, thickness", arch.area / across, "mm", {1.5, 0.5, "anatomy.md 3: 1 to 2"});
+    for (std::size_t k = 0; k + 1 < arch.points.size(); k += 2)
+      across += (arch.points[k + 1] - arch.points[k]).norm() / 2;
+    expectMeasure("transverse humeral ligament, from tubercle to tubercle", across, "mm",
+                  tenth(21, "Khan 2020"));
+    expectMeasure("transverse humeral ligament, along the groove", extentAlong(mesh.vertices, Vec3::UnitY()),
+                  "mm", tenth(16.7, "Khan 2020"));
+    expectMeasure("transverse humeral ligament, thickness", arch.area / across, "mm",
+                  {1.5, 0.5, "anatomy.md 3: 1 to 2"});
     EXPECT_GT((last - first).norm(), 8);
     EXPECT_GT(size.size[0], 15);
   }
 }
 
 TEST(Biceps, measuresAsPublished) {
-  const TriMesh mesh = visualOf("biceps-tendon"), head = visualOf("humerus"), anchor = visualOf("labrum-tendon");
+  const TriMesh mesh = visualOf("biceps-tendon"), head = visualOf("humerus"),
+                anchor = visualOf("labrum-tendon");
   const TriangleTree bone(head);
   // Sections where the tendon lies over the head and in the groove.
   const auto sizeAt = [&](const Vec3& at, const Vec3& along) {
@@ -159,7 +181,8 @@ TEST(Biceps, measuresAsPublished) {
     const Vec3 cutAt = part == &mesh ? Vec3(18.5, 0, 14.6) : centroidOf(*part);
     const Vec3 along = part == &mesh ? Vec3(0.05, -1, 0.1) : principalExtents(*part).axes.col(0);
     const Cut cut = cutBy(*part, cutAt, along, 12);
-    for (std::size_t k = 0; k + 1 < cut.points.size(); k += 2) girth += (cut.points[k + 1] - cut.points[k]).norm();
+    for (std::size_t k = 0; k + 1 < cut.points.size(); k += 2)
+      girth += (cut.points[k + 1] - cut.points[k]).norm();
     length += areaOf(*part) / girth;
   }
   // Khan measured the free part; this cord goes on below the groove, to where the scene ends.
@@ -176,8 +199,10 @@ TEST(Labrum, measuresAsPublished) {
   const Vec3 across = landmark(bone, "glenoid-anterior") - landmark(bone, "glenoid-posterior");
   const Vec3 front = (across - across.dot(up) * up).normalized(), normal = front.cross(up);
   const Vec3 centre = landmark(bone, "glenoid-centre");
-  expectMeasure("labrum, height of the ring", extentAlong(ring.vertices, up), "mm", tenth(39.1, "reference x 1.0975"));
-  expectMeasure("labrum, width of the ring", extentAlong(ring.vertices, front), "mm", tenth(30, "reference x 1.0975"));
+  expectMeasure("labrum, height of the ring", extentAlong(ring.vertices, up), "mm",
+                tenth(39.1, "reference x 1.0975"));
+  expectMeasure("labrum, width of the ring", extentAlong(ring.vertices, front), "mm",
+                tenth(30, "reference x 1.0975"));
   // Sections across the ring, every 30 degrees: how high over its base and how wide.
   double height = 0, width = 0, edge = 0;
   std::vector<Vec3> edges;
@@ -212,12 +237,13 @@ TEST(Labrum, measuresAsPublished) {
   expectMeasure("depth of the socket with the labrum", edge, "mm", {7.1, 0.9, "PMC12925909"});
   std::vector<Vec3> cup = edges;
   for (int k = 0; k < 12; ++k) cup.push_back(centre);
-  reportMeasure("radius of the socket with the labrum", fitSphere(cup).radius, "mm", {25.0, 2.1, "PMC12925909"},
-                "through the free edge and the deepest point");
+  reportMeasure("radius of the socket with the labrum", fitSphere(cup).radius, "mm",
+                {25.0, 2.1, "PMC12925909"}, "through the free edge and the deepest point");
 }
 
 TEST(Shoulder, visualSurfacesDoNotCutThemselves) {
-  for (const Part& part : shippedShoulder().parts) EXPECT_EQ(countSelfIntersections(*part.visual), 0) << part.id;
+  for (const Part& part : shippedShoulder().parts)
+    EXPECT_EQ(countSelfIntersections(*part.visual), 0) << part.id;
 }
 
 }  // namespace
