@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdio>
-#include <cstdlib>
-
 #include "resources/generate/Bones.h"
+#include "resources/generate/Flesh.h"
 #include "resources/generate/Isosurface.h"
 #include "resources/generate/Superficial.h"
-#include "simcore/mesh/Simplify.h"
 
 namespace glenoid::generate {
 namespace {
 
 constexpr double kJointSpace = 2.0;  ///< mm, acromioclavicular joint
-
-TriMesh simplified(const TriMesh& mesh, int triangles) {
-  Result<TriMesh> answer = simplify(mesh, triangles);
-  if (!answer) {
-    std::fprintf(stderr, "clavicle: %s\n", toLogLine(answer.error()).c_str());
-    std::abort();
-  }
-  return std::move(*answer);
-}
 
 }  // namespace
 

@@ -18,15 +18,8 @@ constexpr double kFar = 8;  // mm: farther than this from the tube a bound will 
 
 void evenOut(TriMesh& mesh, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero());
-    std::vector<int> count(mesh.vertices.size(), 0);
-    for (const auto& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k) {
-        sum[t[k]] += mesh.vertices[t[(k + 1) % 3]];
-        ++count[t[k]];
-      }
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-      if (count[i] > 0) mesh.vertices[i] += 0.5 * (sum[i] / count[i] - mesh.vertices[i]);
+    const std::vector<Vec3> means = neighbourMeans(mesh);
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertices[i] += 0.5 * (means[i] - mesh.vertices[i]);
   }
 }
 

@@ -103,18 +103,24 @@ TriMesh isosurface(const Field& field, const Box3& box, double h) {
   return marcher.take();
 }
 
+std::vector<Vec3> neighbourMeans(const TriMesh& mesh) {
+  std::vector<Vec3> mean(mesh.vertices.size(), Vec3::Zero());
+  std::vector<int> count(mesh.vertices.size(), 0);
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) {
+      mean[t[k]] += mesh.vertices[t[(k + 1) % 3]];
+      ++count[t[k]];
+    }
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    mean[i] = count[i] > 0 ? Vec3(mean[i] / count[i]) : mesh.vertices[i];
+  return mean;
+}
+
 void relax(TriMesh& mesh, const Field& field, int rounds) {
   for (int round = 0; round < rounds; ++round) {
-    std::vector<Vec3> sum(mesh.vertices.size(), Vec3::Zero());
-    std::vector<int> count(mesh.vertices.size(), 0);
-    for (const auto& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k) {
-        sum[t[k]] += mesh.vertices[t[(k + 1) % 3]];
-        ++count[t[k]];
-      }
+    const std::vector<Vec3> means = neighbourMeans(mesh);
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      if (count[i] == 0) continue;
-      const Vec3 toMean = sum[i] / count[i] - mesh.vertices[i];
+      const Vec3 toMean = means[i] - mesh.vertices[i];
       const Vec3 normal = gradient(field, mesh.vertices[i]).normalized();
       mesh.vertices[i] = project(field, mesh.vertices[i] + 0.7 * (toMean - toMean.dot(normal) * normal));
     }

@@ -12,6 +12,9 @@ namespace glenoid::generate {
 /// afterwards. Source of the six-tetrahedra split: Kuhn's triangulation of the cube.
 TriMesh isosurface(const Field& field, const Box3& box, double h);
 
+/// For each vertex the mean of its neighbours on a closed surface; itself where it has none.
+std::vector<Vec3> neighbourMeans(const TriMesh& mesh);
+
 /// Evens out the triangles: moves each vertex toward the mean of its neighbours, then back to the field's
 /// surface.
 void relax(TriMesh& mesh, const Field& field, int rounds);
