@@ -36,6 +36,7 @@ std::string titleOf(const std::string& id) {
   if (id == "states") return "States: steps of the shipped input, by number of contacts";
   if (id == "profiles") return "Profiles: one step from each state; times are thread CPU time unless they say wall";
   if (id == "stages") return "Stages of these steps, median, ms";
+  if (id == "bursa") return "Bursa: the same states with a film under the acromion";
   if (id == "friction") return "Friction: the same states with Coulomb's law";
   if (id == "growth") return "Growth: the same joint in finer cells";
   if (id == "peers") return "Peers: seven blocks, a ridge and a ball, in ours and in Bullet; thread CPU time of whole steps";
@@ -116,7 +117,7 @@ void addBenchCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("bench", "Measure what a step costs on this machine (up to ten minutes)");
   command->add_flag("--json", wishes->json, "Print the tables as JSON");
   command->add_flag("--quick", wishes->quick, "Fewer repetitions and no 75 000 tetrahedra: a minute or two");
-  command->add_option("--sections", wishes->sections, "Only these: profiles, friction, growth, peers")->delimiter(',');
+  command->add_option("--sections", wishes->sections, "Only these: profiles, friction, bursa, growth, peers")->delimiter(',');
   command->add_flag("--smallest", wishes->smallest, "For tests")->group("");
   command->callback([wishes, &status] {
     const Result<Done> done = bench(*wishes);

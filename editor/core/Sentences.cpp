@@ -114,6 +114,7 @@ QString Sentences::effect(const QString& word) {
   if (word == u"couplings") return tr("Couplings");
   if (word == u"contact") return tr("Contact");
   if (word == u"selfContact") return tr("Self-contact");
+  if (word == u"bursa") return tr("Bursa");
   if (word == u"friction") return tr("Friction");
   if (word == u"damping") return tr("Damping");
   if (word == u"haptics") return tr("Haptics");

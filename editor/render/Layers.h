@@ -35,6 +35,7 @@ struct Layers {
   bool contacts = false;            ///< points, normals, length by force
   bool tools = true;                ///< tools, whatever surface is shown
   bool regions = false;             ///< all named regions, colour by kind
+  bool labels = false;              ///< names beside what is shown
   bool marker = true;               ///< orientation in the corner
   std::vector<ObjectLook> objects;  ///< by object index; missing entries: default
   std::vector<TriangleMark> marks;

@@ -11,11 +11,12 @@ const char* const kScaled =
     "feels the "
     "same in the hand and only spoils the conditioning of coarse elements. The order of the tissues is kept.";
 
-Material tissue(const char* id, const char* name, double density, double literature, double used,
+Material tissue(const char* id, const char* name, Appearance appearance, double density, double literature, double used,
                 double poisson, const char* source) {
   Material m;
   m.id = id;
   m.name = name;
+  m.appearance = appearance;
   m.density = density;
   m.youngsModulus = used * kMPa;
   m.poissonRatio = poisson;
@@ -33,24 +34,24 @@ Material tissue(const char* id, const char* name, double density, double literat
 
 std::vector<Material> shoulderMaterials() {
   std::vector<Material> list{
-      tissue("cortical-bone", "Cortical bone", 1900, 15000, 15000, 0.3,
+      tissue("cortical-bone", "Cortical bone", Appearance::Bone, 1900, 15000, 15000, 0.3,
              "Couteau 2001 (scapula 16 GPa), Clavert 2006 (humerus 12 GPa)"),
-      tissue("cartilage", "Articular cartilage", 1100, 10, 10, 0.4,
+      tissue("cartilage", "Articular cartilage", Appearance::Cartilage, 1100, 10, 10, 0.4,
              "Büchler 2002, neo-Hookean C10 = 1.79 MPa"),
-      tissue("muscle-relaxed", "Muscle, relaxed", 1060, 0.025, 0.025, 0.45,
+      tissue("muscle-relaxed", "Muscle, relaxed", Appearance::Muscle, 1060, 0.025, 0.025, 0.45,
              "Shear-wave speed 2.2–3.3 m/s of the deltoid at rest; density Ward and Lieber 2005"),
-      tissue("cuff-tendon", "Tendon of the rotator cuff", 1120, 200, 5, 0.45,
+      tissue("cuff-tendon", "Tendon of the rotator cuff", Appearance::Tendon, 1120, 200, 5, 0.45,
              "Matsuhashi 2014 (592 and 218 MPa); Cronje 2025 (60–67 MPa)"),
-      tissue("coracoacromial", "Coracoacromial ligament", 1120, 100, 4, 0.45,
+      tissue("coracoacromial", "Coracoacromial ligament", Appearance::Ligament, 1120, 100, 4, 0.45,
              "Soslowsky 1996; modulus from 80 N/mm, 34 mm, 25 mm²"),
-      tissue("coracohumeral", "Coracohumeral ligament", 1120, 30, 2, 0.45,
+      tissue("coracohumeral", "Coracohumeral ligament", Appearance::Ligament, 1120, 30, 2, 0.45,
              "Boardman 1996, 36.7 N/mm; modulus from 40 mm, 50 mm²"),
-      tissue("transverse-humeral", "Transverse humeral ligament", 1120, 30, 30, 0.45,
+      tissue("transverse-humeral", "Transverse humeral ligament", Appearance::Ligament, 1120, 30, 30, 0.45,
              "As the coracohumeral ligament; the part is rigid"),
-      tissue("labrum", "Glenoid labrum", 1100, 25, 3, 0.4,
+      tissue("labrum", "Glenoid labrum", Appearance::Cartilage, 1100, 25, 3, 0.4,
              "Smith 2008, J Anat 212:49 (22.8 ± 11.4 MPa in tension)"),
-      tissue("biceps-anchor", "Biceps anchor", 1120, 60, 3, 0.45, "As the biceps tendon"),
-      tissue("biceps-tendon", "Tendon of the long head of the biceps", 1120, 60, 60, 0.45,
+      tissue("biceps-anchor", "Biceps anchor", Appearance::Tendon, 1120, 60, 3, 0.45, "As the biceps tendon"),
+      tissue("biceps-tendon", "Tendon of the long head of the biceps", Appearance::Tendon, 1120, 60, 60, 0.45,
              "Hohmann 2019 (fresh-frozen 55.3 MPa); the part is rigid"),
   };
   for (Material& m : list)

@@ -81,9 +81,9 @@ std::vector<Region> skinRegions(const TriMesh& visual) {
           region("skin", "Skin", "other", outer)};
 }
 
-Material soft(const char* id, const char* name, double density, double megapascal, double poisson, const char* source) {
+Material soft(const char* id, const char* name, Appearance appearance, double density, double megapascal, double poisson, const char* source) {
   Material m;
-  m.id = id, m.name = name, m.density = density, m.source = source;
+  m.id = id, m.name = name, m.appearance = appearance, m.density = density, m.source = source;
   m.youngsModulus = megapascal * 1e6;
   m.poissonRatio = poisson;
   m.friction = 0.01;
@@ -144,9 +144,9 @@ JointRecipe palpationRecipe() {
   outermost.regions = skinRegions(skin.visual);
   outermost.materials = {{"subcutaneous-fat", ""}, {"skin", "skin"}};
   recipe.parts.push_back(std::move(outermost));
-  recipe.materials.push_back(soft("subcutaneous-fat", "Subcutaneous fat", 920, 0.010, 0.45,
+  recipe.materials.push_back(soft("subcutaneous-fat", "Subcutaneous fat", Appearance::Skin, 920, 0.010, 0.45,
                                   "Alkhouli 2013 (1.6–2.9 kPa), Comley and Fleck 2010 (range 1–25 kPa)"));
-  recipe.materials.push_back(soft("skin", "Skin", 1100, 0.15, 0.45, "Pailler-Mattei 2008 (indentation); range Kalra and Lowe"));
+  recipe.materials.push_back(soft("skin", "Skin", Appearance::Skin, 1100, 0.15, 0.45, "Pailler-Mattei 2008 (indentation); range Kalra and Lowe"));
 
   const auto add = [&](const char* a, const char* region, const char* b, double total) {
     recipe.couplings.push_back(bond(recipe, a, region, b, total));
@@ -159,6 +159,8 @@ JointRecipe palpationRecipe() {
   add("deltoid-acromial", "back-septum", "deltoid-spinal", 2e4);
   add("skin", "trunk-rim", "scapula", 2e4);
   add("skin", "arm-rim", "humerus", 1e4);
+
+  recipe.bursae.front().roof.push_back({"deltoid-acromial", ""});
 
   const auto isNew = [](const PartRecipe& part) { return part.number > 11; };
   for (std::size_t a = 0; a < recipe.parts.size(); ++a)

@@ -62,6 +62,21 @@ std::vector<Exclusion> exclusions() {
   };
 }
 
+/// Between the cuff and the roof of the shoulder. Nobody has measured its modulus; it is taken as soft as fat.
+Bursa subacromialBursa() {
+  Bursa bursa;
+  bursa.id = "subacromial-bursa";
+  bursa.name = "Bursa subacromialis (subacromial bursa)";
+  bursa.floor = {{"supraspinatus", ""}, {"infraspinatus", ""}};
+  bursa.roof = {{"scapula", "acromion"}, {"coracoacromial-ligament", ""}};
+  bursa.thickness = 2e-3;
+  bursa.youngsModulus = 5e3;
+  bursa.damping = 2e-3;
+  bursa.friction = 0;
+  bursa.source = "1 to 2 mm thick when collapsed; modulus assumed as that of fat, without friction";
+  return bursa;
+}
+
 }  // namespace
 
 std::shared_ptr<const TriMesh> inMetres(TriMesh mesh) {
@@ -146,6 +161,7 @@ JointRecipe shoulderRecipe() {
   add("labrum-tendon", "root", "labrum", 5e4);
   add("labrum-tendon", "tendon-end", "biceps-tendon", 5e4);
   recipe.exclusions = exclusions();
+  recipe.bursae = {subacromialBursa()};
   return recipe;
 }
 

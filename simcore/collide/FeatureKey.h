@@ -11,10 +11,11 @@ namespace glenoid {
 /// features of the same pair get the same key in every step; no two constraints of a step share one.
 struct FeatureKey {
   static constexpr int kIdBits = 24, kKindBits = 3;
-  static constexpr int kMaxPairs = 1 << (64 - 2 * kIdBits - kKindBits);
+  static constexpr int kMaxPairs = (1 << (64 - 2 * kIdBits - kKindBits)) - 1;
+  static constexpr int kFilm = kMaxPairs;  ///< in place of a pair: vertices that feel a film, after all pairs
 
   static std::uint64_t make(int pair, FeatureKind kindA, int idA, FeatureKind kindB, int idB) {
-    assert(pair < kMaxPairs && idA < (1 << kIdBits) && idB < (1 << kIdBits));
+    assert(pair <= kFilm && idA < (1 << kIdBits) && idB < (1 << kIdBits));
     std::uint64_t key = static_cast<std::uint64_t>(pair);
     key = key << kKindBits | combination(kindA, kindB);
     key = key << kIdBits | static_cast<std::uint64_t>(idA);

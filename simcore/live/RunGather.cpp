@@ -43,6 +43,7 @@ const std::vector<EffectStages>& effectStages() {
       {"couplings", {}, "assemble"},
       {"damping", {}, "assemble"},
       {"friction", {Stage::Friction}, ""},
+      {"bursa", {Stage::Bursa}, ""},
       {"selfContact", {}, "collide"},
   };
   return table;

@@ -69,6 +69,7 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
   joint.materials = recipe.materials;
   joint.couplings = recipe.couplings;
   joint.exclusions = recipe.exclusions;
+  joint.bursae = recipe.bursae;
   joint.provenance = recipe.provenance;
   std::vector<const PartRecipe*> parts;
   for (const PartRecipe& part : recipe.parts) parts.push_back(&part);

@@ -37,6 +37,7 @@ struct JointRecipe {
   std::vector<PartRecipe> parts;
   std::vector<Coupling> couplings;
   std::vector<Exclusion> exclusions;
+  std::vector<Bursa> bursae;
   Provenance provenance;
   double clearance = 0;  ///< m; > 0: separateCollision before the cells are cut
   int separationIterations = 200;

@@ -27,6 +27,28 @@ struct Exclusion {
   bool operator==(const Exclusion&) const = default;
 };
 
+/// One side of a bursa: a part's collision surface, or what of it lies nearest to one of its visual regions.
+struct BursaSide {
+  std::string part;    ///< id
+  std::string region;  ///< id of a region of that part; empty: the whole surface
+  bool operator==(const BursaSide&) const = default;
+};
+
+/// A thin slippery sac between tissues that face each other. Its film keeps them apart with a soft pressure,
+/// E (thickness − gap) / thickness, and lets them slide. Acts where the effect "bursa" is on, also between parts
+/// that are otherwise not tested against each other.
+struct Bursa {
+  std::string id;                     ///< slug, unique in the joint
+  std::string name;                   ///< shown to people
+  std::vector<BursaSide> floor, roof; ///< the film is felt at the floor's vertices
+  double thickness = 1.5e-3;          ///< m, unloaded
+  double youngsModulus = 5e3;         ///< Pa
+  double damping = 0;                 ///< s, of the film per stiffness
+  double friction = 0;                ///< Coulomb's coefficient of contacts inside the bursa, instead of the materials'
+  std::string source;                 ///< where the figures come from
+  bool operator==(const Bursa&) const = default;
+};
+
 /// Where a joint comes from and under which terms it may be used.
 struct Provenance {
   std::string author, license, source, made;  ///< `made`: ISO date or program name
@@ -42,6 +64,7 @@ struct Joint {
   std::vector<Part> parts;  ///< ascending by number
   std::vector<Coupling> couplings;
   std::vector<Exclusion> exclusions;
+  std::vector<Bursa> bursae;
   Provenance provenance;
 };
 

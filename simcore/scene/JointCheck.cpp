@@ -75,6 +75,17 @@ Result<Done> checkPair(const Joint& joint, const std::string& partA, const std::
   return Done{};
 }
 
+/// The sides of a bursa name parts, and visual regions of them.
+Result<Done> checkSides(const Joint& joint, const std::vector<BursaSide>& sides, const At& at, const char* member) {
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const int part = findPart(joint, sides[i].part);
+    if (part < 0) return at.in(member, i).in("part").fail(Fault::UnknownId, {sides[i].part, "part"});
+    if (!sides[i].region.empty() && !findRegion(joint.parts[part], sides[i].region))
+      return at.in(member, i).in("region").fail(Fault::UnknownId, {sides[i].region, "region"});
+  }
+  return Done{};
+}
+
 Result<Done> checkSurface(const std::shared_ptr<const TriMesh>& mesh, const At& at) {
   if (!mesh || mesh->triangles.empty()) return at.fail(Fault::BadMesh, {"no triangles"});
   const auto size = static_cast<int>(mesh->vertices.size());
@@ -138,6 +149,13 @@ Result<Done> checkValues(const Joint& joint, const std::string& file) {
     const Exclusion& exclusion = joint.exclusions[i];
     if (const auto pair = checkPair(joint, exclusion.partA, exclusion.partB, root.in("exclusions", i)); !pair)
       return pair;
+  }
+  if (const auto ids = checkIds(joint.bursae, root, "bursae"); !ids) return ids;
+  for (std::size_t i = 0; i < joint.bursae.size(); ++i) {
+    const Bursa& bursa = joint.bursae[i];
+    const At at = root.in("bursae", i).of(bursa.id);
+    if (const auto good = checkSides(joint, bursa.floor, at, "floor"); !good) return good;
+    if (const auto good = checkSides(joint, bursa.roof, at, "roof"); !good) return good;
   }
   return Done{};
 }

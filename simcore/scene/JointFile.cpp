@@ -77,6 +77,7 @@ JsonValue fromJoint(const Joint& joint) {
   json.set("parts", listOf(joint.parts, fromPart));
   json.set("couplings", listOf(joint.couplings, fromCoupling));
   json.set("exclusions", listOf(joint.exclusions, fromExclusion));
+  if (!joint.bursae.empty()) json.set("bursae", listOf(joint.bursae, fromBursa));
   return json;
 }
 
@@ -88,6 +89,7 @@ Joint toJoint(const JsonValue& json) {
   joint.parts = vectorOf(json["parts"], toPart);
   joint.couplings = vectorOf(json["couplings"], toCoupling);
   joint.exclusions = vectorOf(json["exclusions"], toExclusion);
+  joint.bursae = vectorOf(json["bursae"], toBursa);
   joint.provenance = toProvenance(json["provenance"]);
   return joint;
 }

@@ -43,6 +43,7 @@ JointRecipe toRecipe(const JsonValue& json) {
   recipe.parts = vectorOf(json["parts"], toPartRecipe);
   recipe.couplings = vectorOf(json["couplings"], toCoupling);
   recipe.exclusions = vectorOf(json["exclusions"], toExclusion);
+  recipe.bursae = vectorOf(json["bursae"], toBursa);
   recipe.provenance = toProvenance(json["provenance"]);
   recipe.clearance = json["clearance"].number(recipe.clearance);
   recipe.separationIterations =
@@ -56,6 +57,7 @@ Joint withoutMeshes(const JointRecipe& recipe) {
   joint.materials = recipe.materials;
   joint.couplings = recipe.couplings;
   joint.exclusions = recipe.exclusions;
+  joint.bursae = recipe.bursae;
   for (const PartRecipe& from : recipe.parts) {
     Part part;
     part.id = from.id;

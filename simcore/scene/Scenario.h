@@ -21,6 +21,7 @@ struct Effects {
   Wish selfContact = Wish::Auto;
   Wish friction = Wish::Auto;
   Wish damping = Wish::Auto;
+  Wish bursa = Wish::Auto;
   Wish haptics = Wish::Auto;
   bool operator==(const Effects&) const = default;
 };

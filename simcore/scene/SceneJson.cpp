@@ -4,6 +4,8 @@
 #include <charconv>
 #include <filesystem>
 
+#include "simcore/scene/SceneWords.h"
+
 namespace glenoid::scene_json {
 namespace {
 
@@ -60,6 +62,8 @@ JsonValue fromMaterial(const Material& material) {
   JsonValue json = JsonValue::object();
   json.set("id", material.id);
   setText(json, "name", material.name);
+  if (material.appearance != Appearance::Plain)
+    json.set("appearance", scene_words::wordOf(scene_words::kAppearances, material.appearance));
   json.set("density", material.density);
   json.set("youngsModulus", material.youngsModulus);
   json.set("poissonRatio", material.poissonRatio);
@@ -77,6 +81,8 @@ Material toMaterial(const JsonValue& json) {
   Material material;
   material.id = json["id"].text();
   material.name = json["name"].text();
+  material.appearance =
+      scene_words::valueOf(scene_words::kAppearances, json["appearance"].text(), material.appearance);
   material.density = json["density"].number(material.density);
   material.youngsModulus = json["youngsModulus"].number(material.youngsModulus);
   material.poissonRatio = json["poissonRatio"].number(material.poissonRatio);
@@ -172,6 +178,46 @@ JsonValue fromExclusion(const Exclusion& exclusion) {
 
 Exclusion toExclusion(const JsonValue& json) {
   return {json["partA"].text(), json["partB"].text(), json["reason"].text()};
+}
+
+namespace {
+JsonValue fromSide(const BursaSide& side) {
+  JsonValue json = JsonValue::object();
+  json.set("part", side.part);
+  setText(json, "region", side.region);
+  return json;
+}
+BursaSide toSide(const JsonValue& json) {
+  return {json["part"].text(), json["region"].text()};
+}
+}  // namespace
+
+JsonValue fromBursa(const Bursa& bursa) {
+  JsonValue json = JsonValue::object();
+  json.set("id", bursa.id);
+  setText(json, "name", bursa.name);
+  json.set("floor", listOf(bursa.floor, fromSide));
+  json.set("roof", listOf(bursa.roof, fromSide));
+  json.set("thickness", bursa.thickness);
+  json.set("youngsModulus", bursa.youngsModulus);
+  json.set("damping", bursa.damping);
+  json.set("friction", bursa.friction);
+  setText(json, "source", bursa.source);
+  return json;
+}
+
+Bursa toBursa(const JsonValue& json) {
+  Bursa bursa;
+  bursa.id = json["id"].text();
+  bursa.name = json["name"].text();
+  bursa.floor = vectorOf(json["floor"], toSide);
+  bursa.roof = vectorOf(json["roof"], toSide);
+  bursa.thickness = json["thickness"].number(bursa.thickness);
+  bursa.youngsModulus = json["youngsModulus"].number(bursa.youngsModulus);
+  bursa.damping = json["damping"].number(bursa.damping);
+  bursa.friction = json["friction"].number(bursa.friction);
+  bursa.source = json["source"].text();
+  return bursa;
 }
 
 JsonValue fromProvenance(const Provenance& provenance) {

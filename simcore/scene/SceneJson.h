@@ -34,6 +34,8 @@ JsonValue fromCoupling(const Coupling& coupling);
 Coupling toCoupling(const JsonValue& json);
 JsonValue fromExclusion(const Exclusion& exclusion);
 Exclusion toExclusion(const JsonValue& json);
+JsonValue fromBursa(const Bursa& bursa);
+Bursa toBursa(const JsonValue& json);
 JsonValue fromProvenance(const Provenance& provenance);
 Provenance toProvenance(const JsonValue& json);
 JsonValue fromColor(const std::array<float, 3>& color);

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "simcore/scene/Material.h"
 #include "simcore/scene/Scenario.h"
 
 /// Words of the files for what is an enum in memory; shared by the files of this folder.
@@ -17,6 +18,13 @@ struct Word {
 inline constexpr std::array<Word<Profile>, 3> kProfiles{
     {{Profile::Paper, "paper"}, {Profile::Direct, "direct"}, {Profile::Reference, "reference"}}};
 inline constexpr std::array<Word<Wish>, 3> kWishes{{{Wish::Auto, "auto"}, {Wish::On, "on"}, {Wish::Off, "off"}}};
+inline constexpr std::array<Word<Appearance>, 7> kAppearances{{{Appearance::Plain, "plain"},
+                                                                {Appearance::Bone, "bone"},
+                                                                {Appearance::Cartilage, "cartilage"},
+                                                                {Appearance::Muscle, "muscle"},
+                                                                {Appearance::Tendon, "tendon"},
+                                                                {Appearance::Ligament, "ligament"},
+                                                                {Appearance::Skin, "skin"}}};
 inline constexpr std::array<Word<ToolKind>, 5> kToolKinds{{{ToolKind::Probe, "probe"},
                                                            {ToolKind::Arthroscope, "arthroscope"},
                                                            {ToolKind::Finger, "finger"},
@@ -43,12 +51,13 @@ struct EffectWord {
   const char* word;
   Wish Effects::*wish;
 };
-inline constexpr std::array<EffectWord, 7> kEffects{{{"gravity", &Effects::gravity},
+inline constexpr std::array<EffectWord, 8> kEffects{{{"gravity", &Effects::gravity},
                                                      {"couplings", &Effects::couplings},
                                                      {"contact", &Effects::contact},
                                                      {"selfContact", &Effects::selfContact},
                                                      {"friction", &Effects::friction},
                                                      {"damping", &Effects::damping},
+                                                     {"bursa", &Effects::bursa},
                                                      {"haptics", &Effects::haptics}}};
 
 }  // namespace glenoid::scene_words

@@ -169,7 +169,7 @@ EffectGrounds groundsOf(const Model& model) {
                                    [](const SceneObject& object) { return object.layout.free && !object.tool; });
   grounds.gravity = anyFree && model.scenario.gravity_W.norm() > 0;
   grounds.couplings = !model.joint.couplings.empty();
-  grounds.contact = !model.collisionPairs.empty();
+  grounds.contact = !model.collisionPairs.empty() || !model.joint.bursae.empty();
   for (const Material& material : model.joint.materials)
     grounds.damping = grounds.damping || material.massDamping > 0 || material.stiffnessDamping > 0;
   for (const Coupling& coupling : model.joint.couplings) grounds.damping = grounds.damping || coupling.damping > 0;
@@ -190,9 +190,13 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   if (scenario.effects.contact != Wish::Off) compileContacts(*model);
   EffectGrounds grounds = groundsOf(*model);
   grounds.friction = scenario.effects.friction != Wish::Off && compileFriction(*model);
+  std::vector<FilmModel> films;
+  if (scenario.effects.contact != Wish::Off && scenario.effects.bursa != Wish::Off) films = compileFilms(*model);
+  grounds.bursa = !films.empty();
   model->effects = planEffects(scenario.effects, grounds);
   inside->contact = model->effectOn("contact");
   inside->friction = inside->contact && model->effectOn("friction");
+  if (inside->contact && model->effectOn("bursa")) inside->films = std::move(films);
   if (!inside->friction)
     for (SceneObject& object : model->objects) object.friction = {};
   inside->settings.dt = scenario.dt;

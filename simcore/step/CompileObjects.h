@@ -23,4 +23,7 @@ bool compileFriction(Model& model);
 /// coupled parts, the triangles within 3 mm of the region that couples them.
 void compileContacts(Model& model);
 
+/// The joint's bursae on the collision surfaces; after compileContacts. One whose sides have nothing is left out.
+std::vector<FilmModel> compileFilms(const Model& model);
+
 }  // namespace glenoid

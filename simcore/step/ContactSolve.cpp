@@ -15,9 +15,12 @@ namespace {
 /// this adds is a hundred-millionth of a contact's own answer, and Newton's method settles in all but odd cases.
 constexpr double kFrictionCompliance = 1e-8;
 
-/// w_n = J v − c of every contact of an island, from the velocities as they stand.
+/// w_n = J v + C λ − c of every contact of an island, from the velocities and impulses as they stand.
 void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
-  for (const int c : island.contacts) work.contacts[c].speed = -work.contacts[c].target;
+  for (const int c : island.contacts) {
+    StepContact& contact = work.contacts[c];
+    contact.speed = (contact.chosen ? contact.compliance * contact.impulse : 0.0) - contact.target;
+  }
   for (const int index : island.couplingIslands) {
     const IslandWork& part = work.islands[index];
     for (int row = 0; row < part.rows.count(); ++row) work.contacts[part.rows.contactOf(row)].speed += dot(part.rows.row(row), part.v);
@@ -36,7 +39,7 @@ int chooseViolated(Stepper::Work& work, const ContactIsland& island) {
   return more;
 }
 
-/// W = J A⁻¹ Jᵀ of the chosen rows, and d = J v − c with the free velocities.
+/// W = J A⁻¹ Jᵀ + C of the chosen rows, and d = J v − c with the free velocities.
 void buildDelassus(Stepper::Work& work, const ContactIsland& island, int n) {
   const StageClock clock(work.report, Stage::Delassus);
   auto W = work.W.topLeftCorner(n, n);
@@ -47,6 +50,7 @@ void buildDelassus(Stepper::Work& work, const ContactIsland& island, int n) {
     part.response->prepare(part.chosen);
     part.response->addDelassus(part.chosenIds, W);
   }
+  addCompliance(work);
 }
 
 /// ‖A v − b − Jᵀλ‖ / ‖b‖ over all islands: a tool that nothing pulls has b = 0 and no scale of its own.
@@ -152,6 +156,11 @@ int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& isl
     }
   }
   return n;
+}
+
+void addCompliance(Stepper::Work& work) {
+  for (std::size_t k = 0; k < work.unknowns.size(); ++k)
+    work.W(work.unknowns[k].row, work.unknowns[k].row) += work.contacts[work.unknownContacts[k]].compliance;
 }
 
 LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits) {

@@ -22,6 +22,19 @@ double frictionAt(const SceneObject& object, const FeaturePoint& feature) {
   return friction;
 }
 
+/// Coulomb's coefficient of a contact: the geometric mean of both sides; inside a bursa the bursa's.
+double coefficientOf(const StepModel& inside, const SceneObject& a, const SceneObject& b, const StepContact& contact) {
+  const auto covered = [](const std::vector<char>& cover, const FeaturePoint& feature) {
+    return !cover.empty() && cover[feature.vertex[0]];
+  };
+  for (const FilmModel& film : inside.films) {
+    const bool over = covered(film.floor[contact.objectA], contact.near->a) && covered(film.roof[contact.objectB], contact.near->b);
+    const bool under = covered(film.roof[contact.objectA], contact.near->a) && covered(film.floor[contact.objectB], contact.near->b);
+    if (over || under) return film.friction;
+  }
+  return std::sqrt(frictionAt(a, contact.near->a) * frictionAt(b, contact.near->b));
+}
+
 /// Last step's impulse of the same features, zero for a new contact. Both lists ascend by key.
 const State::Impulse* lastImpulse(const State& state, std::uint64_t key, std::size_t& at) {
   while (at < state.impulses.size() && state.impulses[at].key < key) ++at;
@@ -72,13 +85,14 @@ void buildContacts(Stepper::Work& work, const State& state) {
     contact.islandB = work.inside->islandOfObject[contact.objectB];
     contact.a = materialPoint(a, near.a);
     contact.b = materialPoint(b, near.b);
+    contact.near = &near;
     contact.target = std::min(-near.gap / dt, fastest);
     if (const State::Impulse* last = lastImpulse(state, near.key, at)) {
       contact.impulse = last->value;
       contact.friction_W = last->friction_W;
     }
     if (work.inside->friction) {
-      contact.coefficient = std::sqrt(frictionAt(a, near.a) * frictionAt(b, near.b));
+      contact.coefficient = coefficientOf(*work.inside, a, b, contact);
       contact.tangent_W[0] = near.normal_W.unitOrthogonal();
       contact.tangent_W[1] = near.normal_W.cross(contact.tangent_W[0]);
     }
@@ -93,12 +107,51 @@ void buildContacts(Stepper::Work& work, const State& state) {
   work.report.contacts = static_cast<int>(found.size()) - work.report.droppedRows;
 }
 
+void buildFilmContacts(Stepper::Work& work, const State& state) {
+  if (work.inside->films.empty()) return;
+  const StageClock clock(work.report, Stage::Bursa);
+  const double dt = work.settings.dt;
+  work.report.filmContacts = 0;
+  std::size_t at = 0;
+  for (std::size_t f = 0; f < work.films.size(); ++f) {
+    const FilmModel& film = work.inside->films[f];
+    for (const FilmTouch& touch : *work.films[f]) {
+      const Proximity& near = touch.near;
+      const FilmSides::Vertex& vertex = film.sides.floor[touch.floor];
+      StepContact& contact = work.contacts.emplace_back();
+      contact.near = &near;
+      contact.film = true;
+      contact.objectA = vertex.surface;
+      contact.objectB = touch.roofSurface;
+      contact.islandA = work.inside->islandOfObject[contact.objectA];
+      contact.islandB = work.inside->islandOfObject[contact.objectB];
+      contact.a = materialPoint(work.model->objects[contact.objectA], near.a);
+      contact.b = materialPoint(work.model->objects[contact.objectB], near.b);
+      // Backward Euler of f = k (h − g) − d ġ while f ≥ 0: with λ = Δt f and g after the step = g + Δt J v,
+      // J v + λ / (Δt (Δt k + d)) = k (h − g) / (Δt k + d). Outside its thickness the film has nothing to damp.
+      const double k = film.stiffnessPerArea * touch.area, open = film.thickness - near.gap;
+      const double firm = dt * k + (open > 0 ? film.damping * k : 0.0);
+      contact.target = k * open / firm;
+      contact.compliance = 1 / (dt * firm);
+      if (const State::Impulse* last = lastImpulse(state, near.key, at)) contact.impulse = last->value;
+      work.sides.push_back({contact.islandA, contact.islandB});
+      const int c = static_cast<int>(work.contacts.size()) - 1;
+      if (!appendContactRow(work, state, c, near.normal_W, &IslandWork::rows)) {
+        work.sides.back() = {-1, -1};
+        contact.impulse = 0;
+      } else {
+        ++work.report.filmContacts;
+      }
+    }
+  }
+}
+
 void showContacts(Stepper::Work& work) {
   StepReport& report = work.report;
   const double dt = work.settings.dt;
   for (std::size_t c = 0; c < work.contacts.size(); ++c) {
     const StepContact& contact = work.contacts[c];
-    const Proximity& near = (*work.proximities)[c];
+    const Proximity& near = *contact.near;
     ContactView& view = report.contactViews.emplace_back();
     view.objectA = contact.objectA;
     view.objectB = contact.objectB;
@@ -112,7 +165,8 @@ void showContacts(Stepper::Work& work) {
       return p;
     };
     view.point_W = 0.5 * (along(near.a, contact.objectA) + along(near.b, contact.objectB));
-    if (view.force > 0) ++report.active;
+    view.film = contact.film;
+    if (view.force > 0 && !contact.film) ++report.active;
     const Vec3 force = view.force * near.normal_W + view.friction_W;
     const SceneObject &a = work.model->objects[contact.objectA], &b = work.model->objects[contact.objectB];
     if (a.tool) report.toolForces[a.toolIndex] += force;

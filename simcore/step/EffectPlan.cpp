@@ -24,6 +24,7 @@ std::vector<EffectPlan> planEffects(const Effects& wish, const EffectGrounds& gr
           notBuilt("selfContact", wish.selfContact),
           plan("friction", wish.friction, grounds.friction),
           plan("damping", wish.damping, grounds.damping),
+          plan("bursa", wish.bursa, grounds.bursa),
           notBuilt("haptics", wish.haptics)};
 }
 

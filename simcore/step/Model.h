@@ -40,7 +40,7 @@ struct SpringView {
 
 /// What became of one wish, and why; `reason` is a word for tr(), not a sentence.
 struct EffectPlan {
-  std::string name;    ///< "gravity", "couplings", "contact", "selfContact", "friction", "damping", "haptics", …
+  std::string name;    ///< "gravity", "couplings", "contact", "selfContact", "friction", "damping", "bursa", "haptics", …
   bool on = false;
   std::string reason;  ///< "asked-on", "asked-off", "auto-nothing-to-act-on", "auto-present", "not-built"
 };

@@ -92,6 +92,7 @@ void solveContactIslandBySplitting(Stepper::Work& work, const State& state, cons
     part.splitting->response->prepare(part.chosen);
     part.splitting->response->addDelassus(part.chosenIds, B);
   }
+  addCompliance(work);
   const VecX& target = work.target = work.d.head(n);  // −c, zero along tangents
 
   PaperReport& paper = work.report.paper;

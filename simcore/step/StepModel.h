@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "simcore/body/ContactObject.h"
+#include "simcore/collide/FilmSearch.h"
 #include "simcore/coupling/SpringAssembly.h"
 #include "simcore/step/Model.h"
 #include "simcore/tool/PoseSpring.h"
@@ -36,6 +37,18 @@ struct CouplingIslandModel {
   int blockCount = 0;
 };
 
+/// A bursa compiled: whose vertices feel whose triangles, and how a film presses.
+struct FilmModel {
+  FilmSides sides;                      ///< its surfaces are objects
+  int firstKey = 0;                     ///< of its touches
+  double thickness = 0;                 ///< m
+  double stiffnessPerArea = 0;          ///< Pa/m
+  double damping = 0;                   ///< s, per stiffness
+  double friction = 0;                  ///< Coulomb's coefficient inside
+  std::vector<std::vector<char>> floor; ///< by object and collision vertex: whether the film covers it; empty: none
+  std::vector<std::vector<char>> roof;
+};
+
 /// The numerical inside of a model, private to step/. Constant; threads share it.
 struct StepModel {
   std::vector<std::unique_ptr<ContactObject>> objects;
@@ -43,6 +56,7 @@ struct StepModel {
   std::vector<int> baseOfObject;     ///< first block in its island; −1: fixed
   std::vector<CouplingIslandModel> islands;
   StepSettings settings;
+  std::vector<FilmModel> films;      ///< empty where the effect is off
   bool contact = false, friction = false;
 };
 

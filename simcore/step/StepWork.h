@@ -60,9 +60,12 @@ struct IslandWork {
 /// One contact of the step: the detector's pair, as points of two objects.
 struct StepContact {
   int objectA = -1, objectB = -1, islandA = -1, islandB = -1;
+  const Proximity* near = nullptr;       ///< what the search found, valid in this step
+  bool film = false;                     ///< of a bursa
   MaterialPoint a, b;
   double target = 0;                     ///< c of J v ≥ c, m/s
-  double speed = 0;                      ///< J v − c, m/s
+  double compliance = 0;                 ///< C of J v + C λ ≥ c, 1/kg; above zero for a film
+  double speed = 0;                      ///< J v + C λ − c, m/s
   double coefficient = 0;                ///< Coulomb's; 0 where friction is off
   std::array<Vec3, 2> tangent_W;         ///< set where friction is on
   double impulse = 0;                    ///< along the normal, N·s: last step's, then this one's
@@ -113,6 +116,8 @@ struct Stepper::Work {
   int motionCount = 0;
   VecX solved;                        ///< velocities of all objects as the last solve left them
   const std::vector<Proximity>* proximities = nullptr;
+  std::vector<FilmSearch> filmSearches;  ///< one for each bursa
+  std::vector<const std::vector<FilmTouch>*> films;  ///< what they found
   const State* stateSeen = nullptr;   ///< what the collision thread reads
   StepReport collideReport;           ///< its stage times
   double workerMs = 0;                ///< their sum over the parts of a step
@@ -153,6 +158,8 @@ void assembleIslands(Stepper::Work& work, const State& state);
 bool solveUnconstrained(Stepper::Work& work, const State& state);
 /// Turns what the detector found into rows.
 void buildContacts(Stepper::Work& work, const State& state);
+/// And what feels the film of a bursa; after buildContacts.
+void buildFilmContacts(Stepper::Work& work, const State& state);
 /// The row of contact c along `direction` (on a, against it on b) for one or two coupling islands; false where
 /// nothing that it touches can move.
 bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
@@ -161,6 +168,8 @@ bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3
 void solveConstrained(Stepper::Work& work, const State& state);
 /// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
 int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
+/// C of the chosen contacts onto W's diagonal.
+void addCompliance(Stepper::Work& work);
 /// Solves for λ with the n unknowns in W and d.
 LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);
 /// λ back to the contacts.

@@ -20,6 +20,7 @@ const char* stageName(Stage stage) {
     case Stage::Delassus: return "delassus";
     case Stage::Contact: return "contact";
     case Stage::Friction: return "friction";
+    case Stage::Bursa: return "bursa";
     case Stage::Integrate: return "integrate";
     case Stage::Count: break;
   }
@@ -71,6 +72,9 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   ProximityLimits limits;
   limits.lookAhead = kLookAhead;
   work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs, limits);
+  for (const FilmModel& film : work.inside->films)
+    work.filmSearches.emplace_back(film.sides, work.model->collisionSurfaces, film.thickness, film.firstKey);
+  work.films.resize(work.filmSearches.size());
   for (const SceneObject& object : work.model->objects) work.positions.emplace_back(object.collision.vertices.size());
   work.positionSpans.assign(work.positions.begin(), work.positions.end());
   for (std::size_t motion = 0; motion < work.velocities.size(); ++motion) {
@@ -113,6 +117,9 @@ void Stepper::Work::findProximities(const State& state) {
   motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
   proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt);
+  if (inside->films.empty()) return;
+  const StageClock filmClock(collideReport, Stage::Bursa);
+  for (std::size_t f = 0; f < films.size(); ++f) films[f] = &filmSearches[f].find(positionSpans);
 }
 
 bool Stepper::Work::searchAgain(const State& state) {
@@ -165,7 +172,7 @@ void integrate(Stepper::Work& work, State& state) {
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
       if (const StepContact& contact = work.contacts[c]; contact.impulse > 0)
-        state.impulses.push_back({(*work.proximities)[c].key, contact.impulse, contact.friction_W});
+        state.impulses.push_back({contact.near->key, contact.impulse, contact.friction_W});
   for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
 }
 
@@ -177,6 +184,7 @@ void solveContacts(Stepper::Work& work, const State& state) {
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
   buildContacts(work, state);
+  buildFilmContacts(work, state);
   solveConstrained(work, state);
 }
 
@@ -200,7 +208,7 @@ bool solveStep(Stepper::Work& work, const State& state) {
       work.worker->wait();
     else
       work.findProximities(state);
-    for (const Stage stage : {Stage::Surfaces, Stage::Collide}) {
+    for (const Stage stage : {Stage::Surfaces, Stage::Collide, Stage::Bursa}) {
       work.report.cpuMs[static_cast<int>(stage)] += work.collideReport.cpuMs[static_cast<int>(stage)];
       work.workerMs += work.collideReport.cpuMs[static_cast<int>(stage)];
     }
@@ -227,7 +235,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   const double cpuBegin = StageClock::nowMs();
   report.taken = true;
   report.parts = 1;
-  report.refusedHands = report.contacts = report.active = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
+  report.refusedHands = report.contacts = report.active = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
   report.cpuMs.fill(0);
   work.workerMs = 0;

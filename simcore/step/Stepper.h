@@ -23,10 +23,11 @@ struct ContactView {
   double gap = 0;                ///< m, before the step
   double force = 0;              ///< N, λ/Δt; > 0: active
   Vec3 friction_W = Vec3::Zero();  ///< N, on a; zero where friction is off
+  bool film = false;             ///< the soft pressure of a bursa; its gap may be as wide as the bursa is thick
 };
 
 /// The stages whose time is taken.
-enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Integrate, Count };
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Bursa, Integrate, Count };
 inline constexpr int kStageCount = static_cast<int>(Stage::Count);
 const char* stageName(Stage stage);
 
@@ -46,7 +47,8 @@ struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
   int parts = 1;                  ///< into which it was cut, for what turns too far in one; contacts are the last part's
   int refusedHands = 0;           ///< inputs that were no pose of a hand (NaN, 1e30): the last pose stood for them
-  int contacts = 0, active = 0;
+  int contacts = 0, active = 0;   ///< those of a bursa's film are not counted here
+  int filmContacts = 0;           ///< vertices that feel a bursa
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move
   int pivotsExhausted = 0;        ///< contact islands that fell back to PGS

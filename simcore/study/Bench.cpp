@@ -37,7 +37,7 @@ BenchOptions quickBench() {
 }
 
 std::vector<BenchSection> benchSections() {
-  return {{"profiles", benchProfiles}, {"friction", benchFriction}, {"growth", benchGrowth}};
+  return {{"profiles", benchProfiles}, {"friction", benchFriction}, {"bursa", benchBursa}, {"growth", benchGrowth}};
 }
 
 Result<std::vector<StudyTable>> benchProfiles(const StudyScene& scene, const BenchOptions& options) {
@@ -75,23 +75,27 @@ Result<std::vector<StudyTable>> benchProfiles(const StudyScene& scene, const Ben
   return std::vector<StudyTable>{statesTable(*states), std::move(steps), std::move(stages)};
 }
 
-Result<std::vector<StudyTable>> benchFriction(const StudyScene& scene, const BenchOptions& options) {
+namespace {
+
+/// The same states with an effect off and on.
+Result<std::vector<StudyTable>> benchEffect(const char* name, Wish Effects::*wished, const StudyScene& scene,
+                                            const BenchOptions& options) {
   StudyTable table;
-  table.id = "friction";
-  table.columns = {"state", "friction", "reason", "contacts", "active", "stepMedianMs", "stepP99Ms", "ratio"};
-  const auto states = findContactStates(scene, options.contacts, [&](double done) { return goOn(options, "friction", 0.5 * done); });
+  table.id = name;
+  table.columns = {"state", name, "reason", "contacts", "active", "stepMedianMs", "stepP99Ms", "ratio"};
+  const auto states = findContactStates(scene, options.contacts, [&](double done) { return goOn(options, name, 0.5 * done); });
   if (!states) return states.error();
   for (const ContactState& state : *states) {
     double without = 0;
     for (const Wish wish : {Wish::Off, Wish::On}) {
       Scenario scenario = scenarioOf(scene, state);
-      scenario.effects.friction = wish;
+      scenario.effects.*wished = wish;
       const auto model = compileModel(scene.joint, scenario);
       if (!model) return model.error();
-      const bool on = (*model)->effectOn("friction");
+      const bool on = (*model)->effectOn(name);
       std::string reason;
       for (const EffectPlan& effect : (*model)->effects)
-        if (effect.name == "friction") reason = effect.reason;
+        if (effect.name == name) reason = effect.reason;
       Rows row{stateName(state), std::string(on ? "on" : "off"), reason};
       if (wish == Wish::On && !on) {
         row.resize(table.columns.size());
@@ -107,10 +111,20 @@ Result<std::vector<StudyTable>> benchFriction(const StudyScene& scene, const Ben
       for (StudyCell cell : Rows{long{cost.contacts}, long{cost.active}, cost.cpu.median, cost.cpu.p99, cost.cpu.median / without})
         row.push_back(std::move(cell));
       table.rows.push_back(std::move(row));
-      if (!goOn(options, "friction", 0.5)) return cancelled();
+      if (!goOn(options, name, 0.5)) return cancelled();
     }
   }
   return std::vector<StudyTable>{std::move(table)};
+}
+
+}  // namespace
+
+Result<std::vector<StudyTable>> benchFriction(const StudyScene& scene, const BenchOptions& options) {
+  return benchEffect("friction", &Effects::friction, scene, options);
+}
+
+Result<std::vector<StudyTable>> benchBursa(const StudyScene& scene, const BenchOptions& options) {
+  return benchEffect("bursa", &Effects::bursa, scene, options);
 }
 
 }  // namespace glenoid

@@ -37,6 +37,8 @@ std::vector<BenchSection> benchSections();
 Result<std::vector<StudyTable>> benchProfiles(const StudyScene& scene, const BenchOptions& options);
 /// The same states with the effect friction on, beside the step without; a reason where it cannot be on.
 Result<std::vector<StudyTable>> benchFriction(const StudyScene& scene, const BenchOptions& options);
+/// The same with the effect bursa.
+Result<std::vector<StudyTable>> benchBursa(const StudyScene& scene, const BenchOptions& options);
 /// The same joint in finer and finer cells: time, contacts, memory, exponents.
 Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const BenchOptions& options);
 

@@ -57,6 +57,13 @@ TEST(BenchCommand, measuresEveryProfileAtBothNumbersOfContacts) {
   ASSERT_TRUE(friction);
   EXPECT_EQ((*friction)["rows"].size(), 4u);  // without and with, at both numbers of contacts
 
+  const Json* bursa = tableOf(report, "bursa");
+  ASSERT_TRUE(bursa);
+  ASSERT_EQ((*bursa)["rows"].size(), 4u);
+  EXPECT_EQ((*bursa)["rows"][0]["bursa"], "off");
+  EXPECT_EQ((*bursa)["rows"][1]["bursa"], "on");  // the built-in joint has one
+  EXPECT_GT((*bursa)["rows"][1]["ratio"], 0.0);
+
   const Json* growth = tableOf(report, "growth");
   ASSERT_TRUE(growth);
   ASSERT_EQ((*growth)["rows"].size(), 1u);

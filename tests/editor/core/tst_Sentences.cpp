@@ -49,7 +49,7 @@ TEST(Sentences, everyWordOfAnEffectPlanIsExplained) {
   for (const char* word : {"asked-on", "asked-off", "auto-nothing-to-act-on", "auto-present", "not-built"}) {
     EXPECT_NE(effectReason(word), QString(word));
   }
-  for (const char* word : {"gravity", "couplings", "contact", "selfContact", "friction", "damping", "haptics"}) {
+  for (const char* word : {"gravity", "couplings", "contact", "selfContact", "friction", "damping", "bursa", "haptics"}) {
     EXPECT_NE(effectName(word), QString(word));
   }
 }
