@@ -2,6 +2,413 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
+    <name>Anatomy</name>
+    <message>
+        <source>Acromial part of the deltoid</source>
+        <translation>Deltoides, porción acromial</translation>
+    </message>
+    <message>
+        <source>Acromion (end on the acromion)</source>
+        <translation>Acromion (extremo en el acromion)</translation>
+    </message>
+    <message>
+        <source>Acromion (roof of the shoulder)</source>
+        <translation>Acromion (techo del hombro)</translation>
+    </message>
+    <message>
+        <source>Acromion, angulus anterior (front corner)</source>
+        <translation>Acromion, angulus anterior (esquina anterior)</translation>
+    </message>
+    <message>
+        <source>Acromion, apex (front tip of the acromion)</source>
+        <translation>Acromion, apex (punta anterior del acromion)</translation>
+    </message>
+    <message>
+        <source>Acromion, margo lateralis (side edge)</source>
+        <translation>Acromion, margo lateralis (borde lateral)</translation>
+    </message>
+    <message>
+        <source>Angulus acromii (acromial angle)</source>
+        <translation>Angulus acromii (ángulo del acromion)</translation>
+    </message>
+    <message>
+        <source>Angulus acromii (acromial angle, AA)</source>
+        <translation>Angulus acromii (ángulo del acromion, AA)</translation>
+    </message>
+    <message>
+        <source>Angulus inferior (lower tip, AI)</source>
+        <translation>Angulus inferior (punta inferior, AI)</translation>
+    </message>
+    <message>
+        <source>Angulus superior (upper corner)</source>
+        <translation>Angulus superior (esquina superior)</translation>
+    </message>
+    <message>
+        <source>Apex processus coracoidei (coracoid tip)</source>
+        <translation>Apex processus coracoidei (punta de la coracoides)</translation>
+    </message>
+    <message>
+        <source>Apex processus coracoidei (coracoid tip, PC)</source>
+        <translation>Apex processus coracoidei (punta de la coracoides, PC)</translation>
+    </message>
+    <message>
+        <source>Area nuda capitis humeri (bare area)</source>
+        <translation>Area nuda capitis humeri (área desnuda)</translation>
+    </message>
+    <message>
+        <source>Articular cartilage</source>
+        <translation>Cartílago articular</translation>
+    </message>
+    <message>
+        <source>Biceps anchor</source>
+        <translation>Anclaje del bíceps</translation>
+    </message>
+    <message>
+        <source>Biceps tendon</source>
+        <translation>Tendón del bíceps</translation>
+    </message>
+    <message>
+        <source>Border on the arm</source>
+        <translation>Borde en el brazo</translation>
+    </message>
+    <message>
+        <source>Border on the trunk</source>
+        <translation>Borde en el tronco</translation>
+    </message>
+    <message>
+        <source>Bursa subacromialis (subacromial bursa)</source>
+        <translation>Bursa subacromialis (bolsa subacromial)</translation>
+    </message>
+    <message>
+        <source>Caput humeri (cartilage of the humeral head)</source>
+        <translation>Caput humeri (cartílago de la cabeza humeral)</translation>
+    </message>
+    <message>
+        <source>Caput humeri, apex (middle of the cartilage)</source>
+        <translation>Caput humeri, apex (centro del cartílago)</translation>
+    </message>
+    <message>
+        <source>Caput humeri, superior (top of the head)</source>
+        <translation>Caput humeri, superior (parte alta de la cabeza)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis (centre of the glenoid)</source>
+        <translation>Cavitas glenoidalis (centro de la glenoides)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis (glenoid cartilage)</source>
+        <translation>Cavitas glenoidalis (cartílago de la glenoides)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis, anterior (front)</source>
+        <translation>Cavitas glenoidalis, anterior (delante)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis, inferior (lower end)</source>
+        <translation>Cavitas glenoidalis, inferior (extremo inferior)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis, posterior (back)</source>
+        <translation>Cavitas glenoidalis, posterior (detrás)</translation>
+    </message>
+    <message>
+        <source>Cavitas glenoidalis, superior (upper end)</source>
+        <translation>Cavitas glenoidalis, superior (extremo superior)</translation>
+    </message>
+    <message>
+        <source>Centrum capitis (centre of the humeral head, GH)</source>
+        <translation>Centrum capitis (centro de la cabeza humeral, GH)</translation>
+    </message>
+    <message>
+        <source>Clavicle</source>
+        <translation>Clavícula</translation>
+    </message>
+    <message>
+        <source>Clavicular part of the deltoid</source>
+        <translation>Deltoides, porción clavicular</translation>
+    </message>
+    <message>
+        <source>Coracoacromial ligament</source>
+        <translation>Ligamento coracoacromial</translation>
+    </message>
+    <message>
+        <source>Coracohumeral ligament</source>
+        <translation>Ligamento coracohumeral</translation>
+    </message>
+    <message>
+        <source>Cortical bone</source>
+        <translation>Hueso cortical</translation>
+    </message>
+    <message>
+        <source>Epicondylus lateralis (outer elbow, EL)</source>
+        <translation>Epicondylus lateralis (codo, lado externo, EL)</translation>
+    </message>
+    <message>
+        <source>Epicondylus medialis (inner elbow, EM)</source>
+        <translation>Epicondylus medialis (codo, lado interno, EM)</translation>
+    </message>
+    <message>
+        <source>Facies inferior (teres minor facet)</source>
+        <translation>Facies inferior (faceta del redondo menor)</translation>
+    </message>
+    <message>
+        <source>Facies media (infraspinatus facet)</source>
+        <translation>Facies media (faceta del infraespinoso)</translation>
+    </message>
+    <message>
+        <source>Facies superior (supraspinatus facet)</source>
+        <translation>Facies superior (faceta del supraespinoso)</translation>
+    </message>
+    <message>
+        <source>Finis (end in the biceps tendon)</source>
+        <translation>Finis (extremo en el tendón del bíceps)</translation>
+    </message>
+    <message>
+        <source>Finis distalis (distal end below the groove)</source>
+        <translation>Finis distalis (extremo distal bajo la corredera)</translation>
+    </message>
+    <message>
+        <source>Fossa supraspinata (hollow above the spine)</source>
+        <translation>Fossa supraspinata (hueco sobre la espina)</translation>
+    </message>
+    <message>
+        <source>Glenoid labrum</source>
+        <translation>Labrum glenoideo</translation>
+    </message>
+    <message>
+        <source>Humerus</source>
+        <translation>Húmero</translation>
+    </message>
+    <message>
+        <source>Infraspinatus</source>
+        <translation>Infraespinoso</translation>
+    </message>
+    <message>
+        <source>Insertio: tuberculum majus (insertion, middle facet)</source>
+        <translation>Insertio: tuberculum majus (inserción, faceta media)</translation>
+    </message>
+    <message>
+        <source>Insertio: tuberculum majus (insertion, superior facet)</source>
+        <translation>Insertio: tuberculum majus (inserción, faceta superior)</translation>
+    </message>
+    <message>
+        <source>Insertio: tuberculum minus (insertion, lesser tubercle)</source>
+        <translation>Insertio: tuberculum minus (inserción, tubérculo menor)</translation>
+    </message>
+    <message>
+        <source>Insertion on the deltoid tuberosity</source>
+        <translation>Inserción en la tuberosidad deltoidea</translation>
+    </message>
+    <message>
+        <source>Intervallum rotatorum (rotator interval)</source>
+        <translation>Intervallum rotatorum (intervalo de los rotadores)</translation>
+    </message>
+    <message>
+        <source>Labrum</source>
+        <translation>Labrum</translation>
+    </message>
+    <message>
+        <source>Labrum glenoidale, basis (base on the glenoid rim)</source>
+        <translation>Labrum glenoidale, basis (base en el borde de la glenoides)</translation>
+    </message>
+    <message>
+        <source>Labrum glenoidale, pars superior (biceps anchor)</source>
+        <translation>Labrum glenoidale, pars superior (anclaje del bíceps)</translation>
+    </message>
+    <message>
+        <source>Labrum tendon</source>
+        <translation>Tendón del labrum</translation>
+    </message>
+    <message>
+        <source>Muscle, relaxed</source>
+        <translation>Músculo relajado</translation>
+    </message>
+    <message>
+        <source>Origin on the acromion</source>
+        <translation>Origen en el acromion</translation>
+    </message>
+    <message>
+        <source>Origin on the clavicle</source>
+        <translation>Origen en la clavícula</translation>
+    </message>
+    <message>
+        <source>Origin on the scapular spine</source>
+        <translation>Origen en la espina de la escápula</translation>
+    </message>
+    <message>
+        <source>Origo: fossa infraspinata (origin below the spine)</source>
+        <translation>Origo: fossa infraspinata (origen bajo la espina)</translation>
+    </message>
+    <message>
+        <source>Origo: fossa subscapularis (origin in front)</source>
+        <translation>Origo: fossa subscapularis (origen anterior)</translation>
+    </message>
+    <message>
+        <source>Origo: fossa supraspinata (origin above the spine)</source>
+        <translation>Origo: fossa supraspinata (origen sobre la espina)</translation>
+    </message>
+    <message>
+        <source>Pars intertubercularis (part in the groove)</source>
+        <translation>Pars intertubercularis (porción en la corredera)</translation>
+    </message>
+    <message>
+        <source>Pars intraarticularis (part over the head)</source>
+        <translation>Pars intraarticularis (porción sobre la cabeza)</translation>
+    </message>
+    <message>
+        <source>Processus coracoideus (coracoid)</source>
+        <translation>Processus coracoideus (apófisis coracoides)</translation>
+    </message>
+    <message>
+        <source>Processus coracoideus (end on the coracoid)</source>
+        <translation>Processus coracoideus (extremo en la coracoides)</translation>
+    </message>
+    <message>
+        <source>Radix (root in the labrum)</source>
+        <translation>Radix (raíz en el labrum)</translation>
+    </message>
+    <message>
+        <source>Right shoulder</source>
+        <translation>Hombro derecho</translation>
+    </message>
+    <message>
+        <source>Right shoulder with deltoid and skin</source>
+        <translation>Hombro derecho con deltoides y piel</translation>
+    </message>
+    <message>
+        <source>Scapula</source>
+        <translation>Escápula</translation>
+    </message>
+    <message>
+        <source>Septum to the clavicular part</source>
+        <translation>Tabique con la porción clavicular</translation>
+    </message>
+    <message>
+        <source>Septum to the spinal part</source>
+        <translation>Tabique con la porción espinal</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Piel</translation>
+    </message>
+    <message>
+        <source>Skin and fat</source>
+        <translation>Piel y grasa</translation>
+    </message>
+    <message>
+        <source>Spina scapulae (spine of the scapula)</source>
+        <translation>Spina scapulae (espina de la escápula)</translation>
+    </message>
+    <message>
+        <source>Spinal part of the deltoid</source>
+        <translation>Deltoides, porción espinal</translation>
+    </message>
+    <message>
+        <source>Subcutaneous fat</source>
+        <translation>Grasa subcutánea</translation>
+    </message>
+    <message>
+        <source>Subscapularis</source>
+        <translation>Subescapular</translation>
+    </message>
+    <message>
+        <source>Sulcus intertubercularis (bicipital groove)</source>
+        <translation>Sulcus intertubercularis (corredera bicipital)</translation>
+    </message>
+    <message>
+        <source>Sulcus intertubercularis, inferior (lower end of the groove)</source>
+        <translation>Sulcus intertubercularis, inferior (extremo inferior de la corredera)</translation>
+    </message>
+    <message>
+        <source>Sulcus intertubercularis, medius (middle of the groove)</source>
+        <translation>Sulcus intertubercularis, medius (mitad de la corredera)</translation>
+    </message>
+    <message>
+        <source>Sulcus intertubercularis, superior (upper end of the groove)</source>
+        <translation>Sulcus intertubercularis, superior (extremo superior de la corredera)</translation>
+    </message>
+    <message>
+        <source>Supraspinatus</source>
+        <translation>Supraespinoso</translation>
+    </message>
+    <message>
+        <source>Tendo (tendon)</source>
+        <translation>Tendo (tendón)</translation>
+    </message>
+    <message>
+        <source>Tendon of the long head of the biceps</source>
+        <translation>Tendón de la cabeza larga del bíceps</translation>
+    </message>
+    <message>
+        <source>Tendon of the rotator cuff</source>
+        <translation>Tendón del manguito de los rotadores</translation>
+    </message>
+    <message>
+        <source>Transverse humeral ligament</source>
+        <translation>Ligamento humeral transverso</translation>
+    </message>
+    <message>
+        <source>Trigonum spinae (root of the spine, TS)</source>
+        <translation>Trigonum spinae (raíz de la espina, TS)</translation>
+    </message>
+    <message>
+        <source>Tubercula (end on both tubercles)</source>
+        <translation>Tubercula (extremo en ambos tubérculos)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus (end on the greater tubercle)</source>
+        <translation>Tuberculum majus (extremo en el tubérculo mayor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus (greater tubercle)</source>
+        <translation>Tuberculum majus (tubérculo mayor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus, apex (top of the greater tubercle)</source>
+        <translation>Tuberculum majus, apex (cima del tubérculo mayor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus, facies inferior (teres minor facet)</source>
+        <translation>Tuberculum majus, facies inferior (faceta del redondo menor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus, facies media (infraspinatus facet)</source>
+        <translation>Tuberculum majus, facies media (faceta del infraespinoso)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus, facies superior (supraspinatus facet)</source>
+        <translation>Tuberculum majus, facies superior (faceta del supraespinoso)</translation>
+    </message>
+    <message>
+        <source>Tuberculum majus, lateralis (side of the greater tubercle)</source>
+        <translation>Tuberculum majus, lateralis (lado del tubérculo mayor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum minus (end on the lesser tubercle)</source>
+        <translation>Tuberculum minus (extremo en el tubérculo menor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum minus (front of the lesser tubercle)</source>
+        <translation>Tuberculum minus (parte anterior del tubérculo menor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum minus (lesser tubercle)</source>
+        <translation>Tuberculum minus (tubérculo menor)</translation>
+    </message>
+    <message>
+        <source>Tuberculum minus, facies (subscapularis facet)</source>
+        <translation>Tuberculum minus, facies (faceta del subescapular)</translation>
+    </message>
+    <message>
+        <source>Tuberculum supraglenoidale (biceps anchor)</source>
+        <translation>Tuberculum supraglenoidale (anclaje del bíceps)</translation>
+    </message>
+    <message>
+        <source>Tuberositas deltoidea (deltoid tuberosity)</source>
+        <translation>Tuberositas deltoidea (tuberosidad deltoidea)</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::Document</name>
     <message>
         <source>Change the stiffness of “%1”</source>
@@ -73,6 +480,14 @@
     <message>
         <source>Show which way is front, up and outward</source>
         <translation>Mostrar hacia dónde están delante, arriba y afuera</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Rótulos</translation>
+    </message>
+    <message>
+        <source>Show the names of what is seen</source>
+        <translation>Mostrar los nombres de lo que se ve</translation>
     </message>
 </context>
 <context>
@@ -1027,6 +1442,10 @@
     <message>
         <source>Skin layer</source>
         <translation>Capa de piel</translation>
+    </message>
+    <message>
+        <source>Bursa</source>
+        <translation>Bolsa</translation>
     </message>
 </context>
 <context>

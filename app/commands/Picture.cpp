@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Picture.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "app/commands/Console.h"
+#include "app/commands/Sheet.h"
 #include "editor/render/SceneRenderer.h"
 #include "simcore/body/SurfaceBinding.h"
 
@@ -12,12 +14,14 @@ namespace {
 
 Error unknown(const std::string& id, const std::string& kind) { return {Fault::UnknownId, {}, {id, kind}, "picture"}; }
 
-/// Box around one object's visual surface, W.
-Box3 boxOf(const SceneObject& object, const VecX& q) {
+/// Box around one object's visual surface, W; around its cells too where they are shown.
+Box3 boxOf(const SceneObject& object, const VecX& q, bool cells) {
   std::vector<Vec3> positions(object.visual.vertices.size());
   surfacePositions(object.visual, object.layout, q, positions);
   Box3 box;
   for (const Vec3& p : positions) box.extend(p);
+  if (cells && !object.layout.rigid)
+    for (int node = 0; node < object.layout.nodeCount; ++node) box.extend(Vec3(q.segment<3>(object.layout.qOffset + 3 * node)));
   return box;
 }
 
@@ -47,6 +51,8 @@ Result<Done> readSize(const std::string& words, PictureWishes& wishes) {
 
 Result<Done> drawPicture(const Model& model, const State& state, std::span<const ContactView> contacts,
                          const PictureWishes& wishes) {
+  const Result<Sheet> sheet = sheetNamed(wishes.sheet);
+  if (!sheet) return sheet.error();
   Layers layers;
   if (!wishes.layers.empty()) {
     Result<Layers> chosen = layersFromWords(wishes.layers);
@@ -64,14 +70,21 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     if (only < 0) return unknown(wishes.part, "part");
     layers.objects.assign(model.objects.size(), ObjectLook{});
     for (std::size_t i = 0; i < layers.objects.size(); ++i) layers.objects[i].visible = static_cast<int>(i) == only;
-    box = boxOf(model.objects[only], state.q);
+    box = boxOf(model.objects[only], state.q, layers.dynamics || *sheet == Sheet::Meshes);
   }
-  const double aspect = static_cast<double>(wishes.width) / wishes.height;
+  const std::vector<Layers> panels = panelsOf(*sheet, model, layers);
+  if (panels.empty()) return usageError("there is nothing to show on this sheet");
+  const int width = std::max(wishes.width / static_cast<int>(panels.size()), 1);
+  const double aspect = static_cast<double>(width) / wishes.height;
   const Result<View> view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
   if (!view) return view.error();
-  const Result<Image> image = renderPicture(model, state, *view, layers, wishes.width, wishes.height, {}, contacts);
-  if (!image) return image.error();
-  return writePng(*image, wishes.out);
+  std::vector<Image> images;
+  for (const Layers& panel : panels) {
+    Result<Image> image = renderPicture(model, state, *view, panel, width, wishes.height, {}, contacts);
+    if (!image) return image.error();
+    images.push_back(std::move(*image));
+  }
+  return writePng(besideEachOther(images), wishes.out);
 }
 
 }  // namespace glenoid

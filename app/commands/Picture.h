@@ -16,6 +16,7 @@ struct PictureWishes {
   std::string camera;          ///< id of the scenario's camera, or a side ("anterior"); empty: the scenario's first
   std::string layers;          ///< as layersFromWords reads them; empty: the default
   std::string part;            ///< id or number of the only part shown, framed; empty: all
+  std::string sheet;           ///< as sheetNamed reads it; empty: one picture
 };
 
 /// "1280x960" → sizes. Fails with BadUsage or OutOfRange (1…16384).

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "editor/core/AnatomyNames.h"
+
 namespace glenoid {
 
 bool Layers::*DisplayState::member(Layer layer) {
@@ -13,6 +15,7 @@ bool Layers::*DisplayState::member(Layer layer) {
     case Layer::Couplings: return &Layers::couplings;
     case Layer::Contacts: return &Layers::contacts;
     case Layer::Regions: return &Layers::regions;
+    case Layer::Labels: return &Layers::labels;
     case Layer::Marker: return &Layers::marker;
   }
   return &Layers::visual;
@@ -63,6 +66,8 @@ Layers DisplayState::layersFor(const Model& model, const Selection& selection) c
     look.hovered = selection.hovered() == object.id;
     layers.objects.push_back(look);
   }
+  if (layers.labels)
+    for (const char* name : anatomyNames()) layers.names[name] = anatomyName(name).toStdString();
   return layers;
 }
 

@@ -15,9 +15,9 @@ namespace glenoid {
 class DisplayState : public QObject {
   Q_OBJECT
  public:
-  enum class Layer { Visual, Collision, Dynamics, Couplings, Contacts, Regions, Marker };
+  enum class Layer { Visual, Collision, Dynamics, Couplings, Contacts, Regions, Labels, Marker };
   static constexpr Layer kLayers[] = {Layer::Visual,   Layer::Collision, Layer::Dynamics, Layer::Couplings,
-                                      Layer::Contacts, Layer::Regions,   Layer::Marker};
+                                      Layer::Contacts, Layer::Regions,   Layer::Labels,   Layer::Marker};
 
   using QObject::QObject;
 

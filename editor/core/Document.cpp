@@ -4,6 +4,8 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "editor/core/AnatomyNames.h"
+
 namespace glenoid {
 
 class Document::SwapCommand : public QUndoCommand {
@@ -66,7 +68,7 @@ void Document::setYoungsModulus(const std::string& material, double pascal) {
   ChangeSet changes;
   changes.model = true;
   changes.materials = {material};
-  edit(tr("Change the stiffness of “%1”").arg(QString::fromStdString(joint().materials[index].name)), changes,
+  edit(tr("Change the stiffness of “%1”").arg(anatomyName(joint().materials[index].name)), changes,
        [=](Scene& scene) { scene.joint.materials[index].youngsModulus = pascal; },
        QStringLiteral("young:") + QString::fromStdString(material));
 }

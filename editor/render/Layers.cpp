@@ -11,17 +11,17 @@ Result<Layers> layersFromWords(std::string_view words) {
   static constexpr Word kWords[] = {{"visual", &Layers::visual},     {"collision", &Layers::collision},
                                     {"dynamics", &Layers::dynamics}, {"couplings", &Layers::couplings},
                                     {"contacts", &Layers::contacts}, {"tools", &Layers::tools},
-                                    {"regions", &Layers::regions}};
+                                    {"regions", &Layers::regions},   {"labels", &Layers::labels}};
   Layers layers;
   layers.visual = false;
   while (!words.empty()) {
     const std::size_t comma = words.find(',');
     const std::string_view name = words.substr(0, comma);
     words = comma == std::string_view::npos ? std::string_view() : words.substr(comma + 1);
-    bool known = name == "all" || name == "none";
+    bool known = name == "all" || name == "none";  // neither writes names: they are no layer of the scene
     for (const Word& word : kWords) {
       if (name == "none") layers.*word.member = false;
-      if (name != word.name && name != "all") continue;
+      if (name != word.name && (name != "all" || word.member == &Layers::labels)) continue;
       layers.*word.member = true;
       known = true;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,7 @@ struct Layers {
   bool marker = true;               ///< orientation in the corner
   std::vector<ObjectLook> objects;  ///< by object index; missing entries: default
   std::vector<TriangleMark> marks;
+  std::map<std::string, std::string> names;  ///< for labels: what to write in place of a name of the model
 
   ObjectLook lookOf(int object) const {
     return object < static_cast<int>(objects.size()) ? objects[object] : ObjectLook{};

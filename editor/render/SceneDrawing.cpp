@@ -49,9 +49,10 @@ void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const
   surface->set("color", colorOf(object));
   surface->set("opacity", look.opacity);
   surface->set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
-  surface->set("roughness", object.tool ? 0.28f : object.layout.rigid ? 0.55f : 0.40f);
-  const bool bone = object.layout.rigid && !object.tool;
-  surface->set("grain", shown.kind == SurfaceKind::Collision ? 0 : object.fibres ? 1 : bone ? 2 : 0);
+  const bool plain = shown.kind == SurfaceKind::Collision;
+  surface->set("roughness", object.roughness);
+  surface->set("wet", plain ? 0.0f : object.wet);
+  surface->set("grain", plain ? 0 : static_cast<int>(object.grain));
   Eigen::Vector4f tint = Eigen::Vector4f::Zero();
   if (look.hovered) tint = withAlpha(linearColor(1.0f, 0.90f, 0.70f), 0.16f);
   if (look.selected) tint = withAlpha(linearColor(1.0f, 0.62f, 0.18f), 0.26f);

@@ -87,6 +87,7 @@ class Builder {
     m_out.objects.emplace_back();
     ObjectGeometry& geometry = m_out.objects.back();
     geometry.id = object.id;
+    geometry.name = object.name;
     geometry.tool = object.tool;
     geometry.color = object.color;
     geometry.layout = l;
@@ -118,8 +119,13 @@ class Builder {
   }
 
   void addTissue(const SceneObject& object, ObjectGeometry& geometry) {
-    const Tissue tissue = tissueOf(*object.visual.mesh, partOf(object));
-    geometry.fibres = tissue.fibres;
+    const Part* part = partOf(object);
+    const int material = part && !part->materials.empty() ? findMaterial(m_model.joint, part->materials[0].material) : -1;
+    const Appearance appearance = material < 0 ? Appearance::Plain : m_model.joint.materials[material].appearance;
+    const Tissue tissue = tissueOf(*object.visual.mesh, part, appearance);
+    geometry.grain = tissue.grain;
+    geometry.roughness = tissue.roughness;
+    geometry.wet = tissue.wet;
     const Range range = geometry.visual.vertices;
     for (int v = range.first; v < range.first + range.count; ++v)
       m_out.tissue[v] = tissue.vertices[m_out.source[v]];
@@ -248,7 +254,7 @@ class Builder {
       const SurfaceRanges& surface = m_out.objects[i].surface(region.surface);
       if (!surface.present) continue;
       RegionRanges ranges{
-          i, region.surface, region.id, region.kind, {static_cast<int>(m_out.indices.size()), 0}};
+          i, region.surface, region.id, region.kind, region.name, region.triangles, {static_cast<int>(m_out.indices.size()), 0}};
       for (const TriangleRun& run : region.triangles)
         for (int k = 3 * run.first; k < 3 * (run.first + run.count); ++k)
           m_out.indices.push_back(std::uint32_t(m_out.indices[surface.triangles.first + k]));

@@ -36,14 +36,16 @@ struct SurfaceRanges {
 struct RegionRanges {
   int object = 0;
   SurfaceKind surface = SurfaceKind::Visual;
-  std::string id, kind;
-  Range triangles;  ///< indices
+  std::string id, kind, name;
+  std::vector<TriangleRun> runs;  ///< triangles of the mesh
+  Range triangles;                ///< indices
 };
 
 struct ObjectGeometry {
-  std::string id;
+  std::string id, name;
   bool tool = false;
-  bool fibres = false;           ///< of its visual surface, see Tissue
+  Grain grain = Grain::None;     ///< of its visual surface, see Tissue
+  float roughness = 0.4f, wet = 0;
   std::array<float, 3> color{};  ///< sRGB
   ObjectLayout layout;
   SurfaceRanges visual, collision;

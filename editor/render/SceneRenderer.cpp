@@ -18,6 +18,11 @@ bool anyChosen(const Layers& layers) {
                      [](const ObjectLook& o) { return o.visible && (o.selected || o.hovered); });
 }
 
+/// Pixels of the corner that the orientation marker takes.
+double markerSize(const Look& look, const Target& target) {
+  return std::min(96 * look.pixelRatio, 0.28 * std::min(target.width, target.height));
+}
+
 }  // namespace
 
 SceneRenderer::SceneRenderer() : m_inside(std::make_unique<Inside>()) {}
@@ -53,6 +58,7 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
     }
   if (auto built = in.evaluator.build(); !built) return built.error();
   if (auto built = in.painter.build(); !built) return built.error();
+  if (auto built = in.labelPainter.build(); !built) return built.error();
   return renderer;
 }
 
@@ -143,6 +149,8 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   glDisable(GL_DEPTH_TEST);
 
   const bool fits = in.fits(q);
+  std::vector<LabelPainter::Label> labels;
+  if (fits && layers.labels) labels = in.labelsFor(view, q, layers, target);
   if (fits) {
     in.updateBoxes(q);
     in.evaluator.evaluate(q);
@@ -161,6 +169,13 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   if (look.ambientOcclusion) in.drawOcclusion(eye, radius);
   in.drawComposed(layers, look, target, radius);
   if (layers.marker) in.drawMarker(view, look, target);
+  if (!labels.empty()) {
+    LabelArea area;
+    area.width = target.width;
+    area.height = target.height;
+    area.taken = layers.marker ? markerSize(look, target) : 0;
+    in.labelPainter.draw(labels, area, look.pixelRatio, look.dark, in.painter);
+  }
   glBindVertexArray(0);
   glUseProgram(0);
 }
@@ -218,7 +233,7 @@ void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look,
 }
 
 void SceneRenderer::Inside::drawMarker(const View& view, const Look& look, const Target& target) {
-  const double size = std::min(96 * look.pixelRatio, 0.28 * std::min(target.width, target.height));
+  const double size = markerSize(look, target);
   const MarkerLines marker = markerLines(view, size, look.dark);
   Eigen::Matrix4f pixels = Eigen::Matrix4f::Identity();
   pixels(0, 0) = 2.0f / static_cast<float>(target.width);

@@ -5,6 +5,7 @@
 #include "editor/render/FrameBuffers.h"
 #include "editor/render/GlContext.h"
 #include "editor/render/GlResources.h"
+#include "editor/render/LabelPainter.h"
 #include "editor/render/LinePainter.h"
 #include "editor/render/SceneGeometry.h"
 #include "editor/render/SceneRenderer.h"
@@ -33,6 +34,7 @@ struct SceneRenderer::Inside {
   GlInfo info;
   StateEvaluator evaluator;
   LinePainter painter;
+  LabelPainter labelPainter;
   FrameBuffers frame;
   PickTarget pickTarget;
   Program plainSurface, detailedSurface, mask, pick, occlusion;
@@ -61,6 +63,7 @@ struct SceneRenderer::Inside {
   void drawOcclusion(const Eye& eye, double radius);
   void drawComposed(const Layers& layers, const Look& look, const Target& target, double radius);
   void drawMarker(const View& view, const Look& look, const Target& target);
+  std::vector<LabelPainter::Label> labelsFor(const View& view, const VecX& q, const Layers& layers, const Target& target);
   void triangles(Range indices);
   bool pickInto(const View& view, const VecX& q, const Layers& layers, const Target& target, int x0, int y0,
                 int width, int height);

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
 
 #include "simcore/scene/Joint.h"
@@ -37,24 +38,19 @@ std::vector<double> shares(const TriMesh& mesh, const Part& part, const std::str
   return inside;
 }
 
-/// A muscle's fibres as a fan: they converge to a point beyond the tendon, in the sheet in which the muscle
-/// is widest.
-void layFibres(const TriMesh& mesh, Tissue& tissue) {
-  Vec3 belly = Vec3::Zero(), tendon = Vec3::Zero();
-  double bellyWeight = 1e-12, tendonWeight = 1e-12;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const double share = tissue.vertices[v].tendon;
-    tendon += share * mesh.vertices[v];
-    tendonWeight += share;
-    belly += (1 - share) * mesh.vertices[v];
-    bellyWeight += 1 - share;
-  }
-  belly /= bellyWeight;
-  tendon /= tendonWeight;
-  const Vec3 apex = tendon + 0.7 * (tendon - belly);
-  const double reach = (belly - apex).norm();
-  if (!(reach > 1e-6)) return;
-  const Vec3 axis = (belly - apex) / reach;
+/// Middle of what a set of weights holds, and their sum.
+struct Middle {
+  Vec3 at = Vec3::Zero();
+  double weight = 0;
+};
+
+/// A muscle's fibres as a fan: they converge to a point beyond the end, in the sheet in which the muscle is widest.
+/// A band's are parallel: `reach`, from that point to the middle of the muscle, is then far larger than the band.
+bool layFibres(const TriMesh& mesh, const Vec3& from, const Vec3& end, double beyond, Tissue& tissue) {
+  const Vec3 apex = end + beyond * (end - from);
+  const double reach = (from - apex).norm();
+  if (!(reach > 1e-6)) return false;
+  const Vec3 axis = (from - apex) / reach;
   Mat3 spread = Mat3::Zero();
   for (const Vec3& x : mesh.vertices) {
     const Vec3 d = x - apex, aside = d - d.dot(axis) * axis;
@@ -65,18 +61,57 @@ void layFibres(const TriMesh& mesh, Tissue& tissue) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vec3 d = mesh.vertices[v] - apex;
     TissueVertex& out = tissue.vertices[v];
-    // The angle in the fan, as an arc at the belly's distance: bundles keep their number and narrow to the
-    // tendon.
+    // The angle in the fan, as an arc at the middle's distance: bundles keep their number and narrow to the end.
     out.across = static_cast<float>(reach * std::atan2(d.dot(wide), std::max(d.dot(axis), 0.05 * reach)));
     out.through = static_cast<float>(d.dot(thin));
     out.along = static_cast<float>(d.dot(axis));
   }
-  tissue.fibres = true;
+  return true;
+}
+
+/// Middles of the regions of kind "footprint" on the visual surface, by their number of triangles, largest first.
+std::vector<Middle> footprints(const TriMesh& mesh, const Part& part) {
+  std::vector<Middle> list;
+  for (const Region& region : part.regions) {
+    if (region.kind != "footprint" || region.surface != SurfaceKind::Visual) continue;
+    Middle& middle = list.emplace_back();
+    for (const int t : trianglesOf(region))
+      for (const int v : mesh.triangles[t]) {
+        middle.at += mesh.vertices[v];
+        middle.weight += 1;
+      }
+    if (middle.weight > 0) middle.at /= middle.weight;
+    else list.pop_back();
+  }
+  std::stable_sort(list.begin(), list.end(), [](const Middle& a, const Middle& b) { return a.weight > b.weight; });
+  return list;
+}
+
+bool layMuscle(const TriMesh& mesh, const Part& part, Tissue& tissue) {
+  Middle belly, tendon;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const double share = tissue.vertices[v].tendon;
+    tendon.at += share * mesh.vertices[v];
+    tendon.weight += share;
+    belly.at += (1 - share) * mesh.vertices[v];
+    belly.weight += 1 - share;
+  }
+  if (!(belly.weight > 0)) return false;
+  belly.at /= belly.weight;
+  if (tendon.weight > 0.5) return layFibres(mesh, belly.at, tendon.at / tendon.weight, 0.7, tissue);
+  const std::vector<Middle> ends = footprints(mesh, part);
+  return ends.size() > 1 && layFibres(mesh, belly.at, ends[1].at, 0.7, tissue);
+}
+
+bool layBand(const TriMesh& mesh, const Part& part, Tissue& tissue) {
+  constexpr double kParallel = 20;  // times the distance between the ends
+  const std::vector<Middle> ends = footprints(mesh, part);
+  return ends.size() > 1 && layFibres(mesh, ends[0].at, ends[1].at, kParallel, tissue);
 }
 
 }  // namespace
 
-Tissue tissueOf(const TriMesh& mesh, const Part* part) {
+Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance) {
   Tissue tissue;
   tissue.vertices.resize(mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -85,16 +120,42 @@ Tissue tissueOf(const TriMesh& mesh, const Part* part) {
     out.through = static_cast<float>(mesh.vertices[v].z());
     out.along = static_cast<float>(mesh.vertices[v].y());
   }
-  if (!part) return tissue;
+  if (!part) {
+    tissue.roughness = 0.28f;
+    return tissue;
+  }
   const std::vector<double> tendon = shares(mesh, *part, "tendon"),
                             cartilage = shares(mesh, *part, "cartilage");
-  bool anyTendon = false;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     tissue.vertices[v].tendon = static_cast<float>(tendon[v]);
     tissue.vertices[v].cartilage = static_cast<float>(cartilage[v]);
-    anyTendon = anyTendon || tendon[v] > 0.5;
   }
-  if (part->kind == PartKind::Soft && anyTendon) layFibres(mesh, tissue);
+  switch (appearance) {
+    case Appearance::Bone:
+      tissue.grain = Grain::Bone;
+      tissue.roughness = 0.55f;
+      tissue.wet = 0.25f;
+      break;
+    case Appearance::Muscle:
+      if (layMuscle(mesh, *part, tissue)) tissue.grain = Grain::Muscle;
+      tissue.wet = 0.6f;
+      break;
+    case Appearance::Tendon:
+    case Appearance::Ligament:
+      if (layBand(mesh, *part, tissue)) tissue.grain = Grain::Collagen;
+      tissue.roughness = 0.36f;
+      tissue.wet = 0.8f;
+      break;
+    case Appearance::Cartilage:
+      tissue.roughness = 0.30f;
+      tissue.wet = 1;
+      break;
+    case Appearance::Skin:
+      tissue.grain = Grain::Skin;
+      tissue.roughness = 0.52f;
+      break;
+    case Appearance::Plain: break;
+  }
   return tissue;
 }
 

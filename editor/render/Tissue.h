@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "simcore/mesh/TriMesh.h"
+#include "simcore/scene/Material.h"
 #include "simcore/scene/Part.h"
 
 namespace glenoid {
@@ -11,17 +12,24 @@ namespace glenoid {
 /// regions.
 struct TissueVertex {
   float tendon = 0, cartilage = 0;  ///< 0…1, soft at the borders of regions of these kinds
-  /// Where the grain is sampled, m. Muscle: across the fibres, through the sheet, along the fibres; else rest
-  /// position.
+  /// Where the grain is sampled, m. Muscle and bands of collagen: across the fibres, through the sheet, along
+  /// the fibres; else rest position.
   float across = 0, through = 0, along = 0;
 };
 
+/// What a surface's pattern is; the numbers are the shader's.
+enum class Grain { None = 0, Muscle = 1, Bone = 2, Collagen = 3, Skin = 4 };
+
 struct Tissue {
-  bool fibres = false;  ///< muscle: a soft part with a region of kind "tendon", towards which its fibres run
+  Grain grain = Grain::None;
+  float roughness = 0.4f;  ///< of the highlight: moist tissue 0.3, bone 0.55
+  float wet = 0;           ///< 0…1: a film of fluid with a highlight of its own
   std::vector<TissueVertex> vertices;  ///< by vertex of the mesh
 };
 
-/// Regions must lie inside the mesh. `part` may be null (a tool): no region counts.
-Tissue tissueOf(const TriMesh& mesh, const Part* part);
+/// Regions must lie inside the mesh. `part` may be null (a tool): no region counts. `appearance`: of the part's
+/// default material. Fibres of a muscle converge to its tendon, or without a region of kind "tendon" to the
+/// smaller of its two largest footprints; those of a band run between its two footprints.
+Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance);
 
 }  // namespace glenoid

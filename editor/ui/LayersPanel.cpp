@@ -19,6 +19,7 @@ const char* layerWord(DisplayState::Layer layer) {
     case DisplayState::Layer::Couplings: return "couplings";
     case DisplayState::Layer::Contacts: return "contacts";
     case DisplayState::Layer::Regions: return "regions";
+    case DisplayState::Layer::Labels: return "labels";
     case DisplayState::Layer::Marker: return "marker";
   }
   return "";
@@ -57,13 +58,14 @@ LayersPanel::LayersPanel(DisplayState& display, QWidget* parent) : QWidget(paren
 
 void LayersPanel::retranslate() {
   const QStringList names = {tr("Visual"),    tr("Collision"), tr("Dynamics"),   tr("Couplings"),
-                             tr("Contacts"), tr("Regions"),   tr("Orientation")};
+                             tr("Contacts"), tr("Regions"),   tr("Labels"),    tr("Orientation")};
   const QStringList tips = {tr("Show the smooth visual surfaces"),
                             tr("Show the surfaces that collide, with their edges"),
                             tr("Show the tetrahedra that deform"),
                             tr("Show the springs that couple the parts"),
                             tr("Show where parts touch, and how hard"),
                             tr("Show the named regions of the parts"),
+                            tr("Show the names of what is seen"),
                             tr("Show which way is front, up and outward")};
   for (int i = 0; i < static_cast<int>(m_actions.size()); ++i) {
     m_actions[i]->setText(names.value(i));

@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "editor/core/AnatomyNames.h"
 #include "editor/ui/Numbers.h"
 #include "editor/ui/Theme.h"
 
@@ -136,7 +137,7 @@ void PartTree::rebuild() {
   };
   for (const Part& part : m_document.joint().parts) {
     add(part.kind == PartKind::Rigid ? rigid : soft, part.id,
-        QStringLiteral("%1  %2").arg(part.number).arg(QString::fromStdString(part.name)), colorIcon(part.color));
+        QStringLiteral("%1  %2").arg(part.number).arg(anatomyName(part.name)), colorIcon(part.color));
   }
   for (const Tool& tool : m_document.scenario().tools) {
     add(tools, tool.id, QString::fromStdString(tool.name), themedTreeIcon(QLatin1String(toolIcon(tool.kind))));
@@ -192,7 +193,7 @@ QTreeWidgetItem* PartTree::itemOf(const std::string& id) const {
 }
 
 void PartTree::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::LanguageChange) retranslate();
+  if (event->type() == QEvent::LanguageChange) rebuild();  // names of parts too
   QWidget::changeEvent(event);
 }
 

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "editor/core/AnatomyNames.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Numbers.h"
 
@@ -101,7 +102,7 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
     layout.addWidget(label(tr("No scene is open. Choose File ▸ Open… to begin."), "hint"));
     return;
   }
-  layout.addWidget(label(scenario.name.empty() ? text(joint.name) : text(scenario.name), "title"));
+  layout.addWidget(label(scenario.name.empty() ? anatomyName(joint.name) : text(scenario.name), "title"));
   if (!scenario.description.empty()) layout.addWidget(label(text(scenario.description), "hint"));
   std::size_t tets = 0, triangles = 0;
   for (const Part& part : joint.parts) {
@@ -109,7 +110,7 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
     if (part.visual) triangles += part.visual->triangles.size();
   }
   QFormLayout* scene = group(layout, tr("Scene"));
-  scene->addRow(tr("Joint:"), label(text(joint.name)));
+  scene->addRow(tr("Joint:"), label(anatomyName(joint.name)));
   scene->addRow(tr("Parts:"), label(number(joint.parts.size())));
   scene->addRow(tr("Visual triangles:"), label(number(triangles)));
   scene->addRow(tr("Tetrahedra:"), label(number(tets)));
@@ -126,7 +127,7 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
 }
 
 void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
-  layout.addWidget(label(text(part.name), "title"));
+  layout.addWidget(label(anatomyName(part.name), "title"));
   const auto& fixed = m_document.scenario().fixedParts;
   const bool isFixed = std::find(fixed.begin(), fixed.end(), part.id) != fixed.end();
   QFormLayout* form = group(layout, tr("Part"));
@@ -160,7 +161,7 @@ void PropertiesPanel::showMaterials(QVBoxLayout& layout, const Part& part) {
     const int index = findMaterial(m_document.joint(), use.material);
     if (index < 0) continue;
     const Material& material = m_document.joint().materials[index];
-    QFormLayout* form = group(layout, tr("Material: %1").arg(text(material.name)));
+    QFormLayout* form = group(layout, tr("Material: %1").arg(anatomyName(material.name)));
     if (!use.region.empty()) {
       const Region* region = findRegion(part, use.region);
       form->addRow(tr("Where:"), label(text(region ? region->name : use.region)));
@@ -169,7 +170,7 @@ void PropertiesPanel::showMaterials(QVBoxLayout& layout, const Part& part) {
     if (part.kind == PartKind::Soft) {
       QDoubleSpinBox* young = field(material.youngsModulus / 1e3, 0.001, 1e8, 3, tr("kPa"));
       young->setObjectName(QStringLiteral("young.") + text(material.id));
-      young->setAccessibleName(tr("Young's modulus of %1").arg(text(material.name)));
+      young->setAccessibleName(tr("Young's modulus of %1").arg(anatomyName(material.name)));
       young->setToolTip(tr("How hard it is to stretch. Every part made of this material changes with it."));
       connect(young, &QDoubleSpinBox::valueChanged, this, [this, id = material.id](double kPa) {
         const QScopedValueRollback guard(m_editing, true);
@@ -196,7 +197,7 @@ void PropertiesPanel::showCouplings(QVBoxLayout& layout, const Part& part) {
     if (coupling.partA != part.id && coupling.partB != part.id) continue;
     const std::string& otherId = coupling.partA == part.id ? coupling.partB : coupling.partA;
     const int other = findPart(joint, otherId);
-    QFormLayout* form = group(layout, tr("Coupled to %1").arg(text(other < 0 ? otherId : joint.parts[other].name)));
+    QFormLayout* form = group(layout, tr("Coupled to %1").arg(anatomyName(other < 0 ? otherId : joint.parts[other].name)));
     const int owner = findPart(joint, coupling.partA);
     const Region* region = owner < 0 ? nullptr : findRegion(joint.parts[owner], coupling.regionA);
     form->addRow(tr("Over:"), label(text(region ? region->name : coupling.regionA)));

@@ -2,8 +2,8 @@
 // Tissue as in an atlas: three soft lights that stand with the camera, a sky and a ground, a moist
 // highlight and a thin bright rim; where the surface turns away it darkens, which draws its contour. The
 // inside of a surface is matt and dark, so that a mesh wound inside out shows at once.
-// With DETAIL muscle shows bundles of fibres and bone is mottled; both fade before they grow finer than a
-// pixel.
+// With DETAIL muscle shows bundles of fibres, a ligament its strands, bone is mottled, skin finely wrinkled, and
+// the film of fluid breaks its highlight; all fade before they grow finer than a pixel.
 // Highlight: Trowbridge-Reitz distribution, Schlick's Fresnel term and the visibility term after
 // Lagarde and de Rousiers, "Moving Frostbite to Physically Based Rendering", SIGGRAPH 2014 course notes.
 in vec3 p_V;
@@ -14,7 +14,8 @@ uniform vec3 color;        // linear
 uniform float opacity;
 uniform bool faceted;      // one normal for each triangle
 uniform float roughness;
-uniform int grain;         // 0 none, 1 fibres, 2 bone
+uniform int grain;         // 0 none, 1 muscle, 2 bone, 3 collagen, 4 skin
+uniform float wet;         // 0...1, film of fluid
 uniform vec4 tint;         // linear colour and strength: selected, hovered
 uniform vec3 up_V;         // the world's vertical in camera axes
 out vec4 shaded;
@@ -43,9 +44,17 @@ float noise(vec3 p, float pixel) {
 }
 
 float grainOf(vec3 at) {
-  bool fibres = grain == 1;
-  vec3 coarse = fibres ? vec3(0.0026, 0.0040, 0.045) : vec3(0.011);
-  vec3 fine = fibres ? vec3(0.0009, 0.0018, 0.018) : vec3(0.0032);
+  vec3 coarse = vec3(0.011), fine = vec3(0.0032);
+  if (grain == 1) {
+    coarse = vec3(0.0026, 0.0040, 0.045);
+    fine = vec3(0.0009, 0.0018, 0.018);
+  } else if (grain == 3) {
+    coarse = vec3(0.0016, 0.0020, 0.030);
+    fine = vec3(0.0005, 0.0010, 0.012);
+  } else if (grain == 4) {
+    coarse = vec3(0.006);
+    fine = vec3(0.0014);
+  }
   vec3 step = max(abs(dFdx(at)), abs(dFdy(at)));
   vec3 a = step / coarse, b = step / fine;
   float rough = noise(at / coarse, max(a.x, max(a.y, a.z)));
@@ -84,12 +93,18 @@ void main() {
   vec3 tissueColor = mix(color, vec3(0.82, 0.74, 0.60), 0.85 * smoothstep(0.15, 0.85, share.x));
   tissueColor = mix(tissueColor, vec3(0.66, 0.75, 0.80), 0.75 * smoothstep(0.15, 0.85, share.y));
   float rough = mix(mix(roughness, 0.36, share.x), 0.30, share.y);
+  float film = wet * mix(1.0, 1.5, share.y);
 #ifdef DETAIL
   if (grain != 0) {
     float g = grainOf(grainAt) - 0.5;
-    float depth = grain == 1 ? mix(0.75, 0.32, share.x) : mix(0.16, 0.03, share.y);
-    tissueColor *= 1.0 + depth * g * vec3(0.9, 1.05, 1.1);
+    float depth = mix(0.16, 0.03, share.y);
+    if (grain == 1) depth = mix(0.75, 0.32, share.x);
+    if (grain == 3) depth = 0.34;
+    if (grain == 4) depth = 0.20;
+    // Skin flushes where it is thin; elsewhere a darker strand is a little warmer.
+    tissueColor *= 1.0 + depth * g * (grain == 4 ? vec3(0.35, 1.0, 1.0) : vec3(0.9, 1.05, 1.1));
     rough = clamp(rough - 0.25 * depth * g, 0.2, 0.9);
+    film *= clamp(1.0 + 1.6 * g, 0.2, 1.8);
   }
 #endif
   vec3 albedo = outside ? tissueColor : mix(color, vec3(dot(color, vec3(0.21, 0.72, 0.07))), 0.6) * 0.30;
@@ -99,6 +114,13 @@ void main() {
   result += litBy(normalize(vec3(-0.45, 0.60, 0.75)), vec3(1.14, 1.09, 1.01), 0.20, rough, n, v, albedo);
   result += litBy(normalize(vec3(0.80, 0.05, 0.55)), vec3(0.34, 0.39, 0.47), 0.35, rough, n, v, albedo);
   result += litBy(normalize(vec3(0.25, 0.55, -0.80)), vec3(0.50, 0.52, 0.55), 0.10, rough, n, v, albedo);
+
+  if (outside && film > 0.0) {
+    // Water on tissue: a second, narrow highlight of the key light, with water's reflectance.
+    vec3 key = normalize(vec3(-0.45, 0.60, 0.75)), h = normalize(key + v);
+    float nh = max(dot(n, h), 0.0), a = 0.045, d = nh * nh * (a - 1.0) + 1.0;
+    result += film * 0.10 * vec3(1.14, 1.09, 1.01) * min(a / (3.14159265 * d * d), 6.0) * max(dot(n, key), 0.0);
+  }
 
   float graze = 1.0 - nv;
   float contour = smoothstep(0.70, 1.0, graze);

@@ -60,6 +60,7 @@ TEST(CommandLine, badUsageGetsOneSentence) {
   expectOneSentence("render builtin:shoulder --out x.png --size 0x9", "0");
   expectOneSentence("render builtin:shoulder --out x.png --layers colour", "colour");
   expectOneSentence("render builtin:shoulder --out x.png --camera nowhere", "nowhere");
+  expectOneSentence("render builtin:shoulder --out x.png --sheet upwards", "upwards");
   expectOneSentence("render builtin:shoulder --out x.png --part elbow", "elbow");
   expectOneSentence("joint", "subcommand");
   expectOneSentence("joint polish builtin:shoulder", "polish");

@@ -29,7 +29,7 @@ struct Muscle {
 
 TEST(Tissue, tendonIsWhereItsRegionIs) {
   const Muscle muscle;
-  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part);
+  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle);
   ASSERT_EQ(tissue.vertices.size(), muscle.mesh.vertices.size());
   for (std::size_t v = 0; v < tissue.vertices.size(); ++v) {
     const double x = muscle.mesh.vertices[v].x();
@@ -42,8 +42,8 @@ TEST(Tissue, tendonIsWhereItsRegionIs) {
 
 TEST(Tissue, fibresRunTowardsTheTendon) {
   const Muscle muscle;
-  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part);
-  ASSERT_TRUE(tissue.fibres);
+  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle);
+  ASSERT_EQ(tissue.grain, Grain::Muscle);
   for (std::size_t v = 0; v < tissue.vertices.size(); ++v) {
     const Vec3& x = muscle.mesh.vertices[v];
     const TissueVertex& t = tissue.vertices[v];
@@ -60,16 +60,45 @@ TEST(Tissue, fibresRunTowardsTheTendon) {
   EXPECT_NEAR(along(-1) - along(1), 0.1, 1e-3);  // from the tendon's end to the belly's
 }
 
+TEST(Tissue, withoutATendonFibresRunToTheSmallerFootprint) {
+  Muscle muscle;
+  Region tendon = muscle.part.regions[0], origin{"origin", "Origin", "footprint", SurfaceKind::Visual, {}};
+  for (int t = 0; t < static_cast<int>(muscle.mesh.triangles.size()); ++t)
+    if (muscle.mesh.vertices[muscle.mesh.triangles[t][0]].x() < -0.01) origin.triangles.push_back({t, 1});
+  tendon.kind = "footprint";
+  ASSERT_LT(tendon.triangles.size(), origin.triangles.size());
+  muscle.part.regions = {tendon, origin};
+  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle);
+  ASSERT_EQ(tissue.grain, Grain::Muscle);
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v)
+    for (std::size_t w = 0; w < v; ++w)
+      if (muscle.mesh.vertices[v].x() > muscle.mesh.vertices[w].x() + 1e-3) {
+        EXPECT_LT(tissue.vertices[v].along, tissue.vertices[w].along) << "the fan's point lies beyond the insertion";
+        break;
+      }
+}
+
+TEST(Tissue, strandsOfABandAreParallel) {
+  Muscle band;
+  Region end = band.part.regions[0], other{"other", "Other end", "footprint", SurfaceKind::Visual, {}};
+  for (int t = 0; t < static_cast<int>(band.mesh.triangles.size()); ++t)
+    if (band.mesh.vertices[band.mesh.triangles[t][0]].x() < -0.03) other.triangles.push_back({t, 1});
+  end.kind = "footprint";
+  band.part.regions = {end, other};
+  const Tissue tissue = tissueOf(band.mesh, &band.part, Appearance::Ligament);
+  ASSERT_EQ(tissue.grain, Grain::Collagen);
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v)  // the far point of the fan moves them by a few per cent
+    EXPECT_NEAR(std::abs(tissue.vertices[v].across), std::abs(band.mesh.vertices[v].y()), 0.1 * 0.02);
+}
+
 TEST(Tissue, boneAndToolsHaveNoFibres) {
   Muscle muscle;
-  EXPECT_FALSE(tissueOf(muscle.mesh, nullptr).fibres);
-  muscle.part.kind = PartKind::Rigid;
-  const Tissue bone = tissueOf(muscle.mesh, &muscle.part);
-  EXPECT_FALSE(bone.fibres);
+  EXPECT_EQ(tissueOf(muscle.mesh, nullptr, Appearance::Plain).grain, Grain::None);
+  const Tissue bone = tissueOf(muscle.mesh, &muscle.part, Appearance::Bone);
+  EXPECT_EQ(bone.grain, Grain::Bone);
   EXPECT_FLOAT_EQ(bone.vertices[7].across, static_cast<float>(muscle.mesh.vertices[7].x()));
-  muscle.part.kind = PartKind::Soft;
   muscle.part.regions.clear();
-  EXPECT_FALSE(tissueOf(muscle.mesh, &muscle.part).fibres);
+  EXPECT_EQ(tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle).grain, Grain::None) << "nothing to run to";
 }
 
 }  // namespace
