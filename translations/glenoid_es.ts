@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
-    <name>Anatomy</name>
+    <name>glenoid::Anatomy</name>
     <message>
         <source>Acromial part of the deltoid</source>
         <translation>Deltoides, porción acromial</translation>
