@@ -12,8 +12,7 @@ namespace {
 int depthOf(const Model& model, const SceneObject& object) {
   if (object.tool) return -1;
   const Part& part = model.joint.parts[findPart(model.joint, object.id)];
-  const int material = part.materials.empty() ? -1 : findMaterial(model.joint, part.materials[0].material);
-  switch (material < 0 ? Appearance::Plain : model.joint.materials[material].appearance) {
+  switch (appearanceOf(model.joint, part)) {
     case Appearance::Bone: return 0;
     case Appearance::Cartilage:
     case Appearance::Ligament:

@@ -120,9 +120,8 @@ class Builder {
 
   void addTissue(const SceneObject& object, ObjectGeometry& geometry) {
     const Part* part = partOf(object);
-    const int material = part && !part->materials.empty() ? findMaterial(m_model.joint, part->materials[0].material) : -1;
-    const Appearance appearance = material < 0 ? Appearance::Plain : m_model.joint.materials[material].appearance;
-    const Tissue tissue = tissueOf(*object.visual.mesh, part, appearance);
+    const Tissue tissue =
+        tissueOf(*object.visual.mesh, part, part ? appearanceOf(m_model.joint, *part) : Appearance::Plain);
     geometry.grain = tissue.grain;
     geometry.roughness = tissue.roughness;
     geometry.wet = tissue.wet;

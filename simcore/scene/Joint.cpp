@@ -16,6 +16,11 @@ int findMaterial(const Joint& joint, const std::string& id) {
   return it == joint.materials.end() ? -1 : static_cast<int>(it - joint.materials.begin());
 }
 
+Appearance appearanceOf(const Joint& joint, const Part& part) {
+  const int material = part.materials.empty() ? -1 : findMaterial(joint, part.materials[0].material);
+  return material < 0 ? Appearance::Plain : joint.materials[material].appearance;
+}
+
 const Region* findRegion(const Part& part, const std::string& id) {
   for (const Region& region : part.regions)
     if (region.id == id) return &region;

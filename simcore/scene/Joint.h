@@ -71,6 +71,8 @@ struct Joint {
 /// Position in the vector or −1.
 int findPart(const Joint& joint, const std::string& id);
 int findMaterial(const Joint& joint, const std::string& id);
+/// What a part looks like: as its default material does; Plain without one.
+Appearance appearanceOf(const Joint& joint, const Part& part);
 const Region* findRegion(const Part& part, const std::string& id);
 
 /// Triangle indices of a region, ascending.
