@@ -80,8 +80,11 @@ Result<Done> checkSides(const Joint& joint, const std::vector<BursaSide>& sides,
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const int part = findPart(joint, sides[i].part);
     if (part < 0) return at.in(member, i).in("part").fail(Fault::UnknownId, {sides[i].part, "part"});
-    if (!sides[i].region.empty() && !findRegion(joint.parts[part], sides[i].region))
-      return at.in(member, i).in("region").fail(Fault::UnknownId, {sides[i].region, "region"});
+    if (sides[i].region.empty()) continue;
+    const Region* region = findRegion(joint.parts[part], sides[i].region);
+    if (!region) return at.in(member, i).in("region").fail(Fault::UnknownId, {sides[i].region, "region"});
+    if (region->surface != SurfaceKind::Visual)
+      return at.in(member, i).in("region").fail(Fault::BadReference, {sides[i].region});
   }
   return Done{};
 }

@@ -35,6 +35,7 @@ Joint sampleJoint() {
   Material tendon;
   tendon.id = "tendon";
   tendon.name = "Tendon";
+  tendon.appearance = Appearance::Tendon;
   tendon.friction = 0.1;
   tendon.massDamping = 0.7;
   tendon.literatureYoungsModulus = 1.2e9;
@@ -68,6 +69,7 @@ Joint sampleJoint() {
   joint.parts = {humerus, cuff};
   joint.couplings = {{"cuff-humerus", "cuff", "humerus", "insertion", 2e7, 1e-3}};
   joint.exclusions = {{"humerus", "cuff", "grown together"}};
+  joint.bursae = {{"sac", "Sac", {{"cuff", "empty"}}, {{"humerus", ""}}, 1e-3 / 3.0, 4e3, 2e-3, 0.01, "a guess"}};
   return joint;
 }
 
@@ -77,6 +79,7 @@ void expectSame(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.materials, b.materials);
   EXPECT_EQ(a.couplings, b.couplings);
   EXPECT_EQ(a.exclusions, b.exclusions);
+  EXPECT_EQ(a.bursae, b.bursae);
   EXPECT_EQ(a.provenance, b.provenance);
   ASSERT_EQ(a.parts.size(), b.parts.size());
   for (std::size_t i = 0; i < a.parts.size(); ++i) {

@@ -79,6 +79,8 @@ TEST(JointFile, theHashSeesEveryValueAndEveryMesh) {
       [](Joint& j) { j.parts[1].regions[0].triangles[0].count = 2; },
       [](Joint& j) { j.couplings[0].damping = 0; },
       [](Joint& j) { j.exclusions.clear(); },
+      [](Joint& j) { j.bursae[0].roof[0].region = "head"; },
+      [](Joint& j) { j.materials[1].appearance = Appearance::Ligament; },
       [](Joint& j) { j.provenance.license = "MIT"; },
       [](Joint& j) { j.parts[1].volume.reset(); },
       [](Joint& j) {
@@ -102,6 +104,7 @@ TEST(JointFile, onlyBlobsOfTheOlderSaveAreRemoved) {
   joint.parts.pop_back();
   joint.couplings.clear();
   joint.exclusions.clear();
+  joint.bursae.clear();
   ASSERT_TRUE(saveJoint(joint, saved.joint).ok());
   EXPECT_FALSE(std::filesystem::exists(volume));
   EXPECT_EQ(saved.folder.get("s.joint/notes.txt"), "mine");
@@ -222,6 +225,14 @@ TEST(JointFile, everySlipIsNamedWithItsPlace) {
        "/couplings/0/partB",
        "cuff-humerus",
        {"cuff"}},
+      {"\"part\": \"humerus\"", "\"part\": \"ulna\"", Fault::UnknownId, "/bursae/0/roof/0/part", "sac", {"ulna", "part"}},
+      {"\"region\": \"empty\"", "\"region\": \"full\"", Fault::UnknownId, "/bursae/0/floor/0/region", "sac", {"full", "region"}},
+      {"\"part\": \"humerus\"",
+       "\"region\": \"head\", \"part\": \"humerus\"",
+       Fault::BadReference,
+       "/bursae/0/roof/0/region",
+       "sac",
+       {"head"}},
       {"\"partA\": \"humerus\"",
        "\"partA\": \"ulna\"",
        Fault::UnknownId,
