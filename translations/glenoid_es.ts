@@ -1248,6 +1248,18 @@
         <translation>El trabajo se detuvo como pidió; no se cambió nada.</translation>
     </message>
     <message>
+        <source>It took longer than %1 s and was stopped.</source>
+        <translation>Tardó más de %1 s y se detuvo.</translation>
+    </message>
+    <message>
+        <source>It needed more memory than %1 and was stopped.</source>
+        <translation>Necesitó más memoria que %1 y se detuvo.</translation>
+    </message>
+    <message>
+        <source>Reading the file made its reader break down; nothing else was harmed.</source>
+        <translation>Al leer el archivo falló su lector; nada más resultó dañado.</translation>
+    </message>
+    <message>
         <source>A check did not hold: %1.</source>
         <translation>Una comprobación no se cumplió: %1.</translation>
     </message>
@@ -1362,6 +1374,18 @@
     <message>
         <source>Start it again whenever you like.</source>
         <translation>Puede volver a empezarlo cuando quiera.</translation>
+    </message>
+    <message>
+        <source>Use a smaller file, or allow more time.</source>
+        <translation>Use un archivo más pequeño o permita más tiempo.</translation>
+    </message>
+    <message>
+        <source>Use a smaller file, or allow more memory.</source>
+        <translation>Use un archivo más pequeño o permita más memoria.</translation>
+    </message>
+    <message>
+        <source>The file is damaged: write it again in the program that made it, or in another format.</source>
+        <translation>El archivo está dañado: guárdelo de nuevo en el programa que lo hizo o en otro formato.</translation>
     </message>
     <message>
         <source>Look at the report for the figures behind it.</source>

@@ -50,6 +50,9 @@ QString Sentences::what(const Error& error, const std::vector<QString>& a) {
     case Fault::BadUsage: return tr("The command cannot be understood: %1.").arg(a[0]);
     case Fault::NoGraphics: return tr("No OpenGL 3.3 context could be made, so nothing can be drawn in 3D.");
     case Fault::Cancelled: return tr("The work was stopped as you asked; nothing was changed.");
+    case Fault::TimedOut: return tr("It took longer than %1 s and was stopped.").arg(a[0]);
+    case Fault::OutOfMemory: return tr("It needed more memory than %1 and was stopped.").arg(a[0]);
+    case Fault::ReaderStopped: return tr("Reading the file made its reader break down; nothing else was harmed.");
     case Fault::CheckFailed: return tr("A check did not hold: %1.").arg(a[0]);
     case Fault::Internal: return tr("Something went wrong inside the program; this is an error of ours.");
   }
@@ -85,6 +88,9 @@ QString Sentences::advice(Fault fault) {
     case Fault::BadUsage: return tr("“glenoid --help” lists what can be said.");
     case Fault::NoGraphics: return tr("Update the graphics driver, or use the command line, which needs no display.");
     case Fault::Cancelled: return tr("Start it again whenever you like.");
+    case Fault::TimedOut: return tr("Use a smaller file, or allow more time.");
+    case Fault::OutOfMemory: return tr("Use a smaller file, or allow more memory.");
+    case Fault::ReaderStopped: return tr("The file is damaged: write it again in the program that made it, or in another format.");
     case Fault::CheckFailed: return tr("Look at the report for the figures behind it.");
     case Fault::Internal: return tr("Please report it with the log, and save your work under another name.");
   }

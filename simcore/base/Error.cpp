@@ -32,6 +32,9 @@ const char* faultName(Fault fault) {
     case Fault::BadUsage: return "BadUsage";
     case Fault::NoGraphics: return "NoGraphics";
     case Fault::Cancelled: return "Cancelled";
+    case Fault::TimedOut: return "TimedOut";
+    case Fault::OutOfMemory: return "OutOfMemory";
+    case Fault::ReaderStopped: return "ReaderStopped";
     case Fault::CheckFailed: return "CheckFailed";
     case Fault::Internal: return "Internal";
   }

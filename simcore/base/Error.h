@@ -38,6 +38,9 @@ enum class Fault {
   BadUsage,           ///< command line: arguments: what
   NoGraphics,         ///< no OpenGL context could be made
   Cancelled,          ///< the user asked to stop
+  TimedOut,           ///< took longer than its limit: arguments: seconds
+  OutOfMemory,        ///< needed more memory than its limit: arguments: limit
+  ReaderStopped,      ///< the process that reads a file of another program broke down over it
   CheckFailed,        ///< a check did not hold: arguments: what
   Internal,           ///< a bug of ours, reported rather than hidden
 };

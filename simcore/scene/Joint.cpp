@@ -21,6 +21,12 @@ Appearance appearanceOf(const Joint& joint, const Part& part) {
   return material < 0 ? Appearance::Plain : joint.materials[material].appearance;
 }
 
+const Cage* findCage(const Joint& joint, const std::string& part) {
+  for (const Cage& cage : joint.cages)
+    if (cage.part == part) return &cage;
+  return nullptr;
+}
+
 const Region* findRegion(const Part& part, const std::string& id) {
   for (const Region& region : part.regions)
     if (region.id == id) return &region;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "simcore/scene/Cage.h"
 #include "simcore/scene/Material.h"
 #include "simcore/scene/Part.h"
 
@@ -17,6 +19,7 @@ struct Coupling {
   std::string regionA;           ///< region of part A
   double stiffnessPerArea = 0;   ///< N/m per m², > 0
   double damping = 0;            ///< s: spring damping coefficient per stiffness (c = damping · k)
+  std::string reason;            ///< why the two are joined, a sentence for people; may be empty
   bool operator==(const Coupling&) const = default;
 };
 
@@ -65,6 +68,8 @@ struct Joint {
   std::vector<Coupling> couplings;
   std::vector<Exclusion> exclusions;
   std::vector<Bursa> bursae;
+  std::vector<Cage> cages;
+  std::optional<StartProof> startProof;
   Provenance provenance;
 };
 
@@ -73,6 +78,8 @@ int findPart(const Joint& joint, const std::string& id);
 int findMaterial(const Joint& joint, const std::string& id);
 /// What a part looks like: as its default material does; Plain without one.
 Appearance appearanceOf(const Joint& joint, const Part& part);
+/// The cage of a part, or null.
+const Cage* findCage(const Joint& joint, const std::string& part);
 const Region* findRegion(const Part& part, const std::string& id);
 
 /// Triangle indices of a region, ascending.

@@ -89,6 +89,23 @@ Result<Done> checkSides(const Joint& joint, const std::vector<BursaSide>& sides,
   return Done{};
 }
 
+/// A cage is around a soft part, which no other cage has, and its triangles name vertices that exist.
+Result<Done> checkCage(const Joint& joint, std::size_t index, const At& at) {
+  const Cage& cage = joint.cages[index];
+  const int part = findPart(joint, cage.part);
+  if (part < 0) return at.in("part").fail(Fault::UnknownId, {cage.part, "part"});
+  if (joint.parts[part].kind != PartKind::Soft) return at.in("part").fail(Fault::BadReference, {cage.part});
+  if (findCage(joint, cage.part) != &cage) return at.in("part").fail(Fault::DuplicateId, {cage.part});
+  const std::size_t size = cage.rest_W.size();
+  if (cage.moved_W.size() != size)
+    return at.in("moved").fail(Fault::BadIndex, {std::to_string(cage.moved_W.size()), std::to_string(size)});
+  for (std::size_t t = 0; t < cage.triangles.size(); ++t)
+    for (const int corner : cage.triangles[t])
+      if (corner < 0 || corner >= static_cast<int>(size))
+        return at.in("triangles", t).fail(Fault::BadIndex, {std::to_string(corner), std::to_string(size)});
+  return Done{};
+}
+
 Result<Done> checkSurface(const std::shared_ptr<const TriMesh>& mesh, const At& at) {
   if (!mesh || mesh->triangles.empty()) return at.fail(Fault::BadMesh, {"no triangles"});
   const auto size = static_cast<int>(mesh->vertices.size());
@@ -160,6 +177,9 @@ Result<Done> checkValues(const Joint& joint, const std::string& file) {
     if (const auto good = checkSides(joint, bursa.floor, at, "floor"); !good) return good;
     if (const auto good = checkSides(joint, bursa.roof, at, "roof"); !good) return good;
   }
+  if (const auto ids = checkIds(joint.cages, root, "cages"); !ids) return ids;
+  for (std::size_t i = 0; i < joint.cages.size(); ++i)
+    if (const auto good = checkCage(joint, i, root.in("cages", i).of(joint.cages[i].id)); !good) return good;
   return Done{};
 }
 

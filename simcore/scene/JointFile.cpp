@@ -78,6 +78,8 @@ JsonValue fromJoint(const Joint& joint) {
   json.set("couplings", listOf(joint.couplings, fromCoupling));
   json.set("exclusions", listOf(joint.exclusions, fromExclusion));
   if (!joint.bursae.empty()) json.set("bursae", listOf(joint.bursae, fromBursa));
+  if (!joint.cages.empty()) json.set("cages", listOf(joint.cages, fromCage));
+  if (joint.startProof) json.set("startProof", fromProof(*joint.startProof));
   return json;
 }
 
@@ -90,6 +92,8 @@ Joint toJoint(const JsonValue& json) {
   joint.couplings = vectorOf(json["couplings"], toCoupling);
   joint.exclusions = vectorOf(json["exclusions"], toExclusion);
   joint.bursae = vectorOf(json["bursae"], toBursa);
+  joint.cages = vectorOf(json["cages"], toCage);
+  if (const JsonValue* proof = json.find("startProof")) joint.startProof = toProof(*proof);
   joint.provenance = toProvenance(json["provenance"]);
   return joint;
 }
@@ -268,6 +272,23 @@ std::string jointHash(const Joint& unsorted) {
   sortParts(joint);
   const std::string text = toText(fromJoint(joint));
   return toHex(hashBytes(text.data(), text.size()));
+}
+
+std::string startHash(const Joint& unsorted) {
+  Joint only;
+  only.exclusions = unsorted.exclusions;
+  only.cages = unsorted.cages;
+  for (const Part& from : unsorted.parts) {
+    Part part;
+    part.id = from.id;
+    part.number = from.number;
+    part.kind = from.kind;
+    part.visual = from.visual;
+    part.collision = from.collision;
+    part.volume = from.volume;
+    only.parts.push_back(std::move(part));
+  }
+  return jointHash(only);
 }
 
 }  // namespace glenoid

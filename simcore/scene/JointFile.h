@@ -28,4 +28,8 @@ Result<Done> checkJoint(const Joint& joint, const std::string& file);
 /// A mesh that is missing counts as such. Not for joints with numbers that are not finite.
 std::string jointHash(const Joint& joint);
 
+/// The same over what decides where the parts start and which of them may touch: meshes, cages and exclusions. A
+/// joint's proof of its start holds while this is what the proof says.
+std::string startHash(const Joint& joint);
+
 }  // namespace glenoid

@@ -154,6 +154,7 @@ JsonValue fromCoupling(const Coupling& coupling) {
   json.set("partB", coupling.partB);
   json.set("stiffnessPerArea", coupling.stiffnessPerArea);
   json.set("damping", coupling.damping);
+  setText(json, "reason", coupling.reason);
   return json;
 }
 
@@ -165,6 +166,7 @@ Coupling toCoupling(const JsonValue& json) {
   coupling.regionA = json["regionA"].text();
   coupling.stiffnessPerArea = json["stiffnessPerArea"].number();
   coupling.damping = json["damping"].number(coupling.damping);
+  coupling.reason = json["reason"].text();
   return coupling;
 }
 
@@ -218,6 +220,54 @@ Bursa toBursa(const JsonValue& json) {
   bursa.friction = json["friction"].number(bursa.friction);
   bursa.source = json["source"].text();
   return bursa;
+}
+
+JsonValue fromCage(const Cage& cage) {
+  JsonValue json = JsonValue::object();
+  json.set("id", cage.id);
+  json.set("part", cage.part);
+  json.set("triangles", listOf(cage.triangles, [](const std::array<int, 3>& corners) {
+             JsonValue list = JsonValue::array();
+             for (const int corner : corners) list.append(corner);
+             return list;
+           }));
+  json.set("rest", listOf(cage.rest_W, fromVec3));
+  json.set("moved", listOf(cage.moved_W, fromVec3));
+  return json;
+}
+
+Cage toCage(const JsonValue& json) {
+  Cage cage;
+  cage.id = json["id"].text();
+  cage.part = json["part"].text();
+  cage.triangles = vectorOf(json["triangles"], [](const JsonValue& list) {
+    std::array<int, 3> corners;
+    for (int i = 0; i < 3; ++i) corners[i] = static_cast<int>(list[i].integer());
+    return corners;
+  });
+  cage.rest_W = vectorOf(json["rest"], [](const JsonValue& x) { return toVec3(x); });
+  cage.moved_W = vectorOf(json["moved"], [](const JsonValue& x) { return toVec3(x); });
+  return cage;
+}
+
+JsonValue fromProof(const StartProof& proof) {
+  JsonValue json = JsonValue::object();
+  json.set("of", proof.of);
+  json.set("pairs", proof.pairs);
+  json.set("cuts", proof.cuts);
+  json.set("visualCuts", proof.visualCuts);
+  json.set("minVolumeRatio", proof.minVolumeRatio);
+  return json;
+}
+
+StartProof toProof(const JsonValue& json) {
+  StartProof proof;
+  proof.of = json["of"].text();
+  proof.pairs = static_cast<int>(json["pairs"].integer());
+  proof.cuts = static_cast<int>(json["cuts"].integer());
+  proof.visualCuts = static_cast<int>(json["visualCuts"].integer());
+  proof.minVolumeRatio = json["minVolumeRatio"].number(proof.minVolumeRatio);
+  return proof;
 }
 
 JsonValue fromProvenance(const Provenance& provenance) {

@@ -7,6 +7,7 @@
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
+#include "simcore/scene/Start.h"
 #include "simcore/tool/ToolShape.h"
 
 namespace glenoid {
@@ -63,7 +64,7 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
   const Scenario& scenario = model.scenario;
   int q = 0, v = 0, rotations = 0;
   std::vector<std::pair<int, Pose>> rigidStarts;
-  std::vector<std::pair<int, const TetMesh*>> softStarts;
+  std::vector<std::pair<int, std::vector<Vec3>>> softStarts;
 
   for (const Part& part : joint.parts) {
     SceneObject object;
@@ -91,7 +92,9 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
         return Error{Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a soft part without tetrahedra"};
       object.volume = part.volume;
       place(object.layout, static_cast<int>(part.volume->nodes.size()), q, v);
-      softStarts.push_back({object.layout.qOffset, part.volume.get()});
+      Result<std::vector<Vec3>> nodes = startNodes(joint, part);
+      if (!nodes) return nodes.error();
+      softStarts.push_back({object.layout.qOffset, std::move(*nodes)});
       Result<std::vector<ElementTissue>> tissue = tissueOf(joint, part);
       if (!tissue) return tissue.error();
       Result<std::unique_ptr<SoftObject>> soft = SoftObject::make(object.layout, part.volume, *tissue, rotations);
@@ -132,8 +135,8 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
   start.q.setZero(q);
   start.v.setZero(v);
   for (const auto& [offset, pose] : rigidStarts) setPoseAt(start.q, offset, pose);
-  for (const auto& [offset, mesh] : softStarts)
-    for (std::size_t i = 0; i < mesh->nodes.size(); ++i) start.q.segment<3>(offset + 3 * static_cast<int>(i)) = mesh->nodes[i];
+  for (const auto& [offset, nodes] : softStarts)
+    for (std::size_t i = 0; i < nodes.size(); ++i) start.q.segment<3>(offset + 3 * static_cast<int>(i)) = nodes[i];
   start.rotations.setZero(rotations);
   for (int i = 3; i < rotations; i += 4) start.rotations[i] = 1;
   start.hands.resize(7 * static_cast<int>(scenario.tools.size()));

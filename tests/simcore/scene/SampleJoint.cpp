@@ -67,9 +67,17 @@ Joint sampleJoint() {
   cuff.regions = {{"insertion", "", "footprint", SurfaceKind::Visual, {{1, 3}}},
                   {"empty", "", "", SurfaceKind::Visual, {}}};
   joint.parts = {humerus, cuff};
-  joint.couplings = {{"cuff-humerus", "cuff", "humerus", "insertion", 2e7, 1e-3}};
+  joint.couplings = {{"cuff-humerus", "cuff", "humerus", "insertion", 2e7, 1e-3, "grown together"}};
   joint.exclusions = {{"humerus", "cuff", "grown together"}};
   joint.bursae = {{"sac", "Sac", {{"cuff", "empty"}}, {{"humerus", ""}}, 1e-3 / 3.0, 4e3, 2e-3, 0.01, "a guess"}};
+  Cage cage;
+  cage.id = "cuff-cage";
+  cage.part = "cuff";
+  cage.triangles = cuff.visual->triangles;
+  cage.rest_W = cage.moved_W = cuff.visual->vertices;
+  cage.moved_W[1].y() += 1e-3 / 3.0;
+  joint.cages = {cage};
+  joint.startProof = StartProof{std::string(32, 'a'), 1, 0, 2, 1.0 / 3.0};
   return joint;
 }
 
@@ -80,6 +88,8 @@ void expectSame(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.couplings, b.couplings);
   EXPECT_EQ(a.exclusions, b.exclusions);
   EXPECT_EQ(a.bursae, b.bursae);
+  EXPECT_EQ(a.cages, b.cages);
+  EXPECT_EQ(a.startProof, b.startProof);
   EXPECT_EQ(a.provenance, b.provenance);
   ASSERT_EQ(a.parts.size(), b.parts.size());
   for (std::size_t i = 0; i < a.parts.size(); ++i) {
