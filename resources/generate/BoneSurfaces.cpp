@@ -5,7 +5,7 @@
 
 #include "resources/generate/Bones.h"
 #include "resources/generate/Flesh.h"
-#include "resources/generate/Isosurface.h"
+#include "resources/generate/Relax.h"
 #include "resources/generate/Parts.h"
 #include "simcore/spatial/TriangleTree.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "resources/generate/Bones.h"
 #include "resources/generate/Flesh.h"
-#include "resources/generate/Isosurface.h"
+#include "resources/generate/Relax.h"
 #include "resources/generate/Superficial.h"
 
 namespace glenoid::generate {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "resources/generate/Isosurface.h"
+#include "resources/generate/Relax.h"
 #include "simcore/mesh/Simplify.h"
 #include "simcore/spatial/TriangleTree.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "resources/generate/Field.h"
-#include "resources/generate/Isosurface.h"
+#include "resources/generate/Relax.h"
 #include "resources/generate/Shoulder.h"
 #include "resources/generate/Tube.h"
 #include "simcore/mesh/MeshHealth.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "resources/generate/Isosurface.h"
+#include "simcore/mesh/Isosurface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace glenoid::generate {
+namespace glenoid {
 
 namespace {
 
@@ -18,14 +18,14 @@ struct Grid {
   int nx, ny, nz;
   std::vector<float> values;
 
-  Grid(const Field& field, const Box3& b, double step) : box(b), h(step) {
+  Grid(const ScalarField& field, const Box3& b, double step) : box(b), h(step) {
     nx = int(std::ceil(b.sizes().x() / h)) + 1;
     ny = int(std::ceil(b.sizes().y() / h)) + 1;
     nz = int(std::ceil(b.sizes().z() / h)) + 1;
     values.resize(std::size_t(nx) * ny * nz);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const float v = float(field(at(long(i))));
-      values[i] = v == 0 ? 1e-6f : v;  // a node on the surface would make flat triangles
+      values[i] = v == 0 ? float(1e-6 * h) : v;  // a node on the surface would make flat triangles
     }
   }
   long index(int x, int y, int z) const { return x + long(nx) * (y + long(ny) * z); }
@@ -78,7 +78,7 @@ class Marcher {
 
 }  // namespace
 
-TriMesh isosurface(const Field& field, const Box3& box, double h) {
+TriMesh isosurface(const ScalarField& field, const Box3& box, double h) {
   const Grid grid(field, box, h);
   Marcher marcher(grid);
   // The six orders in which a path can walk from corner 000 to 111.
@@ -116,17 +116,6 @@ std::vector<Vec3> neighbourMeans(const TriMesh& mesh) {
   return mean;
 }
 
-void relax(TriMesh& mesh, const Field& field, int rounds) {
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<Vec3> means = neighbourMeans(mesh);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-      const Vec3 toMean = means[i] - mesh.vertices[i];
-      const Vec3 normal = gradient(field, mesh.vertices[i]).normalized();
-      mesh.vertices[i] = project(field, mesh.vertices[i] + 0.7 * (toMean - toMean.dot(normal) * normal));
-    }
-  }
-}
-
 TriMesh largestComponent(const TriMesh& mesh) {
   std::vector<int> root(mesh.vertices.size());
   std::iota(root.begin(), root.end(), 0);
@@ -157,4 +146,4 @@ TriMesh largestComponent(const TriMesh& mesh) {
   return kept;
 }
 
-}  // namespace glenoid::generate
+}  // namespace glenoid
