@@ -16,7 +16,11 @@ namespace {
 /// Surface at a distance from the mesh's outside.
 TriMesh offsetSurface(const TriangleTree& skin, const Box3& box, double offset, double step) {
   const Vec3 margin = Vec3::Constant(offset + 2 * step);
-  const auto field = [&](const Vec3& p) { return skin.signedDistance(p) - offset; };
+  const auto field = [&](const Vec3& p) {  // exact only where it is near zero
+    const double reach = offset + 2 * step, distance = std::min(skin.closest(p, reach).distance, reach);
+    if (distance <= offset) return distance - offset;
+    return skin.inside(p) ? -offset : distance - offset;
+  };
   return largestComponent(isosurface(field, Box3(box.min() - margin, box.max() + margin), step));
 }
 

@@ -4,10 +4,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "simcore/author/CagedPart.h"
 #include "simcore/author/MakeCage.h"
+#include "simcore/mesh/MeshHealth.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -104,6 +106,38 @@ void wishesAgainst(const Body& body, const Body& other, double clearance, double
     wish(body.surface.triangles[mine], Vec3::Constant(1.0 / 3), normalOf(other.surface, its), 0.5 * clearance);
 }
 
+/// Way by which a thin body that another cuts through can come to lie on one side of it: the mean way out of `other` over
+/// the body's points near it, weighted so that those far inside count less than those outside.
+Vec3 sideOf(const Body& body, const Body& other) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& x : body.surface.vertices)
+    if (const auto near = nearOf(other, x, kLook); near && near->gap > 0) sum += near->away;
+  if (sum.norm() < 1e-9)
+    for (const Vec3& x : body.surface.vertices)
+      if (const auto near = nearOf(other, x, kLook)) sum += near->away;
+  return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : Vec3::Zero();
+}
+
+/// As wishesAgainst, but all points go the same way: each whose path along `side` still meets the other's surface within
+/// kFar goes to where that path leaves it.
+void wishesToward(const Body& body, const Body& other, const Vec3& side, double clearance, std::vector<Wish>& wishes) {
+  constexpr double kFar = 8e-3;
+  const auto own = [&](const std::array<int, 3>& vertex, const Vec3& weight) {
+    Vec3 x = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) x += weight[k] * body.surface.vertices[vertex[k]];
+    double exit = -1;
+    for (double from = 0; from < kFar;) {
+      const auto hit = other.tree->cast(x + from * side, side, kFar - from);
+      if (!hit) break;
+      from += hit->distance + 1e-6;
+      if (hit->normal.dot(side) > 0) exit = from;  // a way out, not a way in
+    }
+    if (exit >= 0) wishes.push_back({vertex, weight, side, std::min(exit + clearance, kStep)});
+  };
+  for (int v = 0; v < static_cast<int>(body.surface.vertices.size()); ++v) own({v, v, v}, Vec3(1, 0, 0));
+  for (const auto& [a, b] : body.edges) own({a, b, b}, Vec3(0.5, 0.5, 0));
+}
+
 /// Handle shifts of least energy that fulfil the wishes, as far as the penalty goes: Newton on ½ uᵀ K u + ½ µ Σ max(0, …)².
 VecX leastEnergy(const Body& body, const std::vector<Wish>& wishes) {
   const VecX now = body.caged->shifts();
@@ -131,6 +165,10 @@ VecX leastEnergy(const Body& body, const std::vector<Wish>& wishes) {
       count += on;
     }
     if (same) break;
+    if (count == 0) {
+      u.setZero();
+      continue;
+    }
     MatX some(count, now.size());
     VecX wanted(count);
     for (Eigen::Index r = 0, k = 0; r < rows; ++r)
@@ -195,6 +233,7 @@ class Separation {
           return Error{Fault::Cancelled, {}, {}, "separating the start"};
         if (!sweepOnce()) break;
         overlaps = measure();
+        chooseSides(overlaps);
         // Whoever was pushed into a part without a cage gets company.
         if (const auto caged = cageThose(overlaps, handles, false); !caged) return caged.error();
       }
@@ -263,7 +302,15 @@ class Separation {
       std::vector<Wish> wishes;
       for (const auto& [a, b] : m_pairs) {
         if (a != static_cast<int>(i) && b != static_cast<int>(i)) continue;
-        const Body& other = m_bodies[a == static_cast<int>(i) ? b : a];
+        const int o = a == static_cast<int>(i) ? b : a;
+        const Body& other = m_bodies[o];
+        const auto stuck = m_stuck.find({a, b});
+        if (stuck != m_stuck.end() && stuck->second.mover == o) continue;
+        if (stuck != m_stuck.end() && stuck->second.mover == static_cast<int>(i)) {
+          const std::size_t before = wishes.size();
+          wishesToward(body, other, stuck->second.side, m_wishes.clearance, wishes);
+          if (wishes.size() > before) continue;
+        }
         wishesAgainst(body, other, m_wishes.clearance, other.caged ? 0.5 : 1.0, wishes);
       }
       if (wishes.empty()) continue;
@@ -272,6 +319,30 @@ class Separation {
     }
     return any;
   }
+
+  /// Of two soft parts that stay in each other's way the thinner one has to come to one side of the other: first to the
+  /// side on which most of it is, then to the opposite one.
+  void chooseSides(const std::vector<Overlap>& overlaps) {
+    constexpr int kPatience = 10, kTry = 30;
+    std::map<std::array<int, 2>, Stuck> still;
+    for (const Overlap& overlap : overlaps) {
+      const std::array<int, 2> pair{overlap.partA, overlap.partB};
+      Stuck stuck = m_stuck[pair];
+      ++stuck.sweeps;
+      const Body &a = m_bodies[pair[0]], &b = m_bodies[pair[1]];
+      if (a.caged && b.caged && stuck.sweeps % kTry == kPatience) {
+        const bool first = thicknessOf(*a.part->collision) < thicknessOf(*b.part->collision);
+        const Vec3 side = first ? sideOf(a, b) : sideOf(b, a);
+        if (side.norm() > 0) {
+          stuck.side = stuck.tries++ % 2 == 0 ? side : Vec3(-stuck.side);
+          stuck.mover = pair[first ? 0 : 1];
+        }
+      }
+      still[pair] = stuck;
+    }
+    m_stuck = std::move(still);
+  }
+  static double thicknessOf(const TriMesh& mesh) { return 2 * enclosedVolume(mesh) / healthOf(mesh).area; }
 
   void finish(SeparationOutcome& outcome) {
     for (const Body& body : m_bodies) {
@@ -286,11 +357,19 @@ class Separation {
     }
   }
 
+  /// A pair that overlaps for some sweeps by now.
+  struct Stuck {
+    int sweeps = 0, tries = 0;
+    int mover = -1;  ///< body that goes to one side; −1: both as it comes
+    Vec3 side = Vec3::Zero();
+  };
+
   Joint& m_joint;
   const SeparateWishes& m_wishes;
   const SeparationProgress& m_progress;
   std::vector<std::array<int, 2>> m_pairs;
   std::vector<Body> m_bodies;
+  std::map<std::array<int, 2>, Stuck> m_stuck;
 };
 
 }  // namespace
