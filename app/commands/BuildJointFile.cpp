@@ -4,22 +4,37 @@
 #include <cstdio>
 
 #include "app/commands/Console.h"
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/author/BuildJoint.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
 
 namespace glenoid {
+namespace {
+
+void printStart(const SeparationOutcome& start, const Joint& joint) {
+  const StartProof& proof = start.check.proof;
+  std::printf("start: %d overlaps up to %.2f mm deep before; %d sweeps moved %zu cages, surfaces by up to %.2f mm\n", start.overlapsBefore,
+              start.depthBefore * 1e3, start.sweeps, start.movedParts.size(), start.maxShift * 1e3);
+  std::printf("start: %d pairs of parts compared exactly: %d intersecting triangle pairs, %d of the visual surfaces; least volume ratio %.3f\n",
+              proof.pairs, proof.cuts, proof.visualCuts, proof.minVolumeRatio);
+  for (const Overlap& overlap : start.check.overlaps)
+    std::printf("start: %s and %s still cut each other in %zu places, %.2f mm deep\n", joint.parts[overlap.partA].id.c_str(),
+                joint.parts[overlap.partB].id.c_str(), overlap.cuts.size(), overlap.depth * 1e3);
+}
+
+}  // namespace
 
 Result<Done> buildJointFile(const std::string& recipeFile, const std::string& meshes, const std::string& out) {
   const Result<JointRecipe> recipe = loadRecipe(recipeFile, meshes);
   if (!recipe) return recipe.error();
+  BuildReport report;
   Result<Joint> joint = Error{};
   {
     ProgressLine progress("Building " + recipe->name);
     joint = buildJoint(*recipe, [&](const std::string&, double done) {
       progress.show(done);
       return true;
-    });
+    }, &report);
   }
   if (!joint) return joint.error();
   if (const auto saved = saveJoint(*joint, out); !saved) return saved.error();
@@ -29,7 +44,10 @@ Result<Done> buildJointFile(const std::string& recipeFile, const std::string& me
     if (part.volume) std::printf(", %5zu tetrahedra in cells of %.2f mm", part.volume->tets.size(), part.cellSize * 1e3);
     std::putchar('\n');
   }
+  if (report.start) printStart(*report.start, *joint);
   std::printf("%s: hash %s\n", out.c_str(), jointHash(*joint).c_str());
+  if (report.start && !report.start->check.holds())
+    return Error{Fault::CheckFailed, {out, "", "", {}}, {"parts still cut each other at the start, listed above"}, "joint build"};
   return Done{};
 }
 

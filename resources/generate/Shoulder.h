@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/author/BuildJoint.h"
 
 /// The shoulder that ships: eleven parts as in Table 1 of Otaduy, Garre, Gascón, Miguel, Pérez, Zurdo,
 /// "Modeling and Simulation of a Human Shoulder for Interactive Medical Applications", CEIG 2010, with

@@ -2,6 +2,7 @@
 #include "simcore/author/MakeCage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/Isosurface.h"
@@ -24,6 +25,28 @@ TriMesh offsetSurface(const TriangleTree& skin, const Box3& box, double offset, 
   return largestComponent(isosurface(field, Box3(box.min() - margin, box.max() + margin), step));
 }
 
+/// Pushes faces outwards where points lie outside or nearer than `margin` to them.
+void holdAll(TriMesh& cage, const std::vector<Vec3>& points, double margin) {
+  for (int round = 0; round < 60; ++round) {
+    const TriangleTree tree(cage);
+    std::vector<Vec3> push(cage.vertices.size(), Vec3::Zero());
+    bool asked = false;
+    for (const Vec3& p : points) {
+      const auto near = tree.closest(p);
+      const double depth = tree.inside(p) ? near.distance : -near.distance;
+      if (depth >= margin) continue;
+      const auto& t = cage.triangles[near.triangle];
+      const Vec3 normal =
+          (cage.vertices[t[1]] - cage.vertices[t[0]]).cross(cage.vertices[t[2]] - cage.vertices[t[0]]).normalized();
+      for (const int corner : t)
+        if (push[corner].norm() < margin - depth) push[corner] = (margin - depth) * normal;
+      asked = true;
+    }
+    if (!asked) return;
+    for (std::size_t v = 0; v < push.size(); ++v) cage.vertices[v] += 0.7 * push[v];
+  }
+}
+
 bool holdsAll(const TriMesh& cage, const std::vector<Vec3>& points) {
   const TriangleTree tree(cage);
   return std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return tree.inside(p); });
@@ -40,15 +63,19 @@ Result<Cage> makeCage(const Part& part, int handles) {
   const TriangleTree skin(boundary);
   const Box3 box = boundsOf(boundary);
   const double size = box.diagonal().norm();
+  // A level set has about two vertices for each square of the grid that it crosses.
+  const double step = std::min(size / 40, std::sqrt(healthOf(boundary).area / (2.0 * handles)));
   // The coarser the cage, the farther its flat faces cut into what they go around.
-  for (double offset = size / 40; offset < size / 4; offset *= 1.3) {
-    const double step = std::max(size / 60, offset / 3);
-    const TriMesh fine = offsetSurface(skin, box, offset, step);
+  for (double offset = size / 30; offset < size / 4; offset *= 1.4) {
+    TriMesh fine = offsetSurface(skin, box, offset, step);
+    for (int round = 0; round < 3; ++round) fine.vertices = neighbourMeans(fine);  // marching leaves slivers
     const MeshHealth health = healthOf(fine);
     if (!health.closed() || !health.manifold()) continue;
     // V − E + F = 2 − 2 genus and 2 E = 3 F: this many triangles have about that many vertices.
-    const auto coarse = simplify(fine, 2 * (handles - 2 + 2 * health.genus), {.keepVolume = false});
-    if (!coarse || !holdsAll(*coarse, part.volume->nodes)) continue;
+    auto coarse = simplify(fine, 2 * (handles - 2 + 2 * health.genus), {.keepVolume = false});
+    if (!coarse) continue;
+    holdAll(*coarse, part.volume->nodes, 0.3 * offset);
+    if (!healthOf(*coarse).healthy() || countSelfIntersections(*coarse) > 0 || !holdsAll(*coarse, part.volume->nodes)) continue;
     Cage cage;
     cage.id = part.id + "-cage";
     cage.part = part.id;

@@ -215,7 +215,7 @@ Result<Done> putInCage(Body& body, const Cage& cage) {
 
 class Separation {
  public:
-  Separation(Joint& joint, const SeparateWishes& wishes, const SeparationProgress& progress)
+  Separation(Joint& joint, const StartWishes& wishes, const SeparationProgress& progress)
       : m_joint(joint), m_wishes(wishes), m_progress(progress), m_pairs(pairsThatMayCollide(joint)) {}
 
   Result<SeparationOutcome> run() {
@@ -365,7 +365,7 @@ class Separation {
   };
 
   Joint& m_joint;
-  const SeparateWishes& m_wishes;
+  const StartWishes& m_wishes;
   const SeparationProgress& m_progress;
   std::vector<std::array<int, 2>> m_pairs;
   std::vector<Body> m_bodies;
@@ -374,7 +374,7 @@ class Separation {
 
 }  // namespace
 
-Result<SeparationOutcome> separateStart(Joint& joint, const SeparateWishes& wishes, const SeparationProgress& progress) {
+Result<SeparationOutcome> separateStart(Joint& joint, const StartWishes& wishes, const SeparationProgress& progress) {
   if (!(wishes.clearance > 0) || !std::isfinite(wishes.clearance))
     return Error{Fault::OutOfRange, {}, {std::to_string(wishes.clearance), "0", "inf"}, "clearance of the start"};
   Joint copy = joint;

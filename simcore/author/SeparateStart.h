@@ -7,17 +7,9 @@
 #include "simcore/author/Overlaps.h"
 #include "simcore/base/Error.h"
 #include "simcore/scene/Joint.h"
+#include "simcore/scene/Recipe.h"
 
 namespace glenoid {
-
-/// How the start is freed of intersections.
-struct SeparateWishes {
-  double clearance = 3e-4;   ///< m kept between collision surfaces, > 0
-  int handles = 80;          ///< of the cages that have to be made
-  int iterations = 60;       ///< sweeps over all parts, for each refinement
-  int refinements = 2;       ///< times that the cages of parts still in the way get twice the handles
-  std::vector<std::string> parts;  ///< ids of soft parts whose cages may move; empty: all
-};
 
 /// What came of it.
 struct SeparationOutcome {
@@ -38,6 +30,6 @@ using SeparationProgress = std::function<bool(double done, int overlaps)>;
 /// that end where they began are left out again. Sets joint.cages and joint.startProof, which also tells when it did
 /// not succeed; rigid parts stay where they are. Deterministic. Fails with OutOfRange for a clearance that is not
 /// positive, with UnknownId, as makeCage does, or with Cancelled (the joint is then as it was).
-Result<SeparationOutcome> separateStart(Joint& joint, const SeparateWishes& wishes, const SeparationProgress& progress = {});
+Result<SeparationOutcome> separateStart(Joint& joint, const StartWishes& wishes, const SeparationProgress& progress = {});
 
 }  // namespace glenoid

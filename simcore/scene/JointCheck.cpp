@@ -89,12 +89,11 @@ Result<Done> checkSides(const Joint& joint, const std::vector<BursaSide>& sides,
   return Done{};
 }
 
-/// A cage is around a soft part, which no other cage has, and its triangles name vertices that exist.
+/// A cage is around a part, which no other cage has, and its triangles name vertices that exist.
 Result<Done> checkCage(const Joint& joint, std::size_t index, const At& at) {
   const Cage& cage = joint.cages[index];
   const int part = findPart(joint, cage.part);
   if (part < 0) return at.in("part").fail(Fault::UnknownId, {cage.part, "part"});
-  if (joint.parts[part].kind != PartKind::Soft) return at.in("part").fail(Fault::BadReference, {cage.part});
   if (findCage(joint, cage.part) != &cage) return at.in("part").fail(Fault::DuplicateId, {cage.part});
   const std::size_t size = cage.rest_W.size();
   if (cage.moved_W.size() != size)
@@ -193,6 +192,9 @@ Result<Done> checkMeshes(const Joint& joint, const std::string& file) {
     for (std::size_t r = 0; r < part.regions.size(); ++r)
       if (const auto good = checkRegionRange(part, part.regions[r], at.in("regions", r)); !good) return good;
   }
+  for (std::size_t i = 0; i < joint.cages.size(); ++i)
+    if (!joint.parts[findPart(joint, joint.cages[i].part)].volume)
+      return At{file, {}, {}}.in("cages", i).of(joint.cages[i].id).in("part").fail(Fault::BadReference, {joint.cages[i].part});
   return Done{};
 }
 

@@ -35,27 +35,50 @@ PartRecipe toPartRecipe(const JsonValue& json) {
   return part;
 }
 
+NearCoupling toNearCoupling(const JsonValue& json) {
+  NearCoupling near;
+  near.coupling = toCoupling(json);
+  near.within = json["within"].number();
+  near.centre_W = toVec3(json["ball"]["centre"]);
+  near.radius = json["ball"]["radius"].number();
+  return near;
+}
+
+StartWishes toStart(const JsonValue& json) {
+  StartWishes start;
+  start.clearance = json["clearance"].number(start.clearance);
+  start.handles = static_cast<int>(json["handles"].integer(start.handles));
+  start.iterations = static_cast<int>(json["iterations"].integer(start.iterations));
+  start.refinements = static_cast<int>(json["refinements"].integer(start.refinements));
+  start.parts = toTexts(json["parts"]);
+  return start;
+}
+
 JointRecipe toRecipe(const JsonValue& json) {
   JointRecipe recipe;
   recipe.id = json["id"].text();
   recipe.name = json["name"].text();
   recipe.materials = vectorOf(json["materials"], toMaterial);
   recipe.parts = vectorOf(json["parts"], toPartRecipe);
-  recipe.couplings = vectorOf(json["couplings"], toCoupling);
+  for (const JsonValue& coupling : json["couplings"].items()) {
+    if (coupling.find("within")) recipe.nearCouplings.push_back(toNearCoupling(coupling));
+    else recipe.couplings.push_back(toCoupling(coupling));
+  }
   recipe.exclusions = vectorOf(json["exclusions"], toExclusion);
   recipe.bursae = vectorOf(json["bursae"], toBursa);
   recipe.provenance = toProvenance(json["provenance"]);
   recipe.clearance = json["clearance"].number(recipe.clearance);
   recipe.separationIterations =
       static_cast<int>(json["separationIterations"].integer(recipe.separationIterations));
+  if (const JsonValue* start = json.find("start")) recipe.start = toStart(*start);
   return recipe;
 }
 
 /// The joint it will become, as far as ids and references go: they are judged by the same rules.
-Joint withoutMeshes(const JointRecipe& recipe) {
+Joint withoutMeshes(const JointRecipe& recipe, const JsonValue& json) {
   Joint joint;
   joint.materials = recipe.materials;
-  joint.couplings = recipe.couplings;
+  joint.couplings = vectorOf(json["couplings"], toCoupling);  // in the order of the file, for the places of errors
   joint.exclusions = recipe.exclusions;
   joint.bursae = recipe.bursae;
   for (const PartRecipe& from : recipe.parts) {
@@ -67,6 +90,12 @@ Joint withoutMeshes(const JointRecipe& recipe) {
     part.regions = from.regions;
     part.landmarks = from.landmarks;
     joint.parts.push_back(std::move(part));
+  }
+  for (Coupling& coupling : joint.couplings) {  // one by distance is judged as if its region were there
+    if (!coupling.regionA.empty()) continue;
+    coupling.regionA = coupling.id;
+    const int part = findPart(joint, coupling.partA);
+    if (part >= 0) joint.parts[part].regions.push_back({coupling.id, {}, {}, SurfaceKind::Visual, {}});
   }
   return joint;
 }
@@ -101,7 +130,7 @@ Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshe
   const Result<JsonValue> json = readDocument(path, Schema::Recipe);
   if (!json) return json.error();
   JointRecipe recipe = toRecipe(*json);
-  if (const auto good = joint_check::checkValues(withoutMeshes(recipe), path); !good) return good.error();
+  if (const auto good = joint_check::checkValues(withoutMeshes(recipe, *json), path); !good) return good.error();
   Surfaces known;
   for (std::size_t i = 0; i < recipe.parts.size(); ++i) {
     PartRecipe& part = recipe.parts[i];

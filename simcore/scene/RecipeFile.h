@@ -3,7 +3,7 @@
 #include <string>
 
 #include "simcore/base/Error.h"
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/scene/Recipe.h"
 
 namespace glenoid {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "simcore/base/Error.h"
 #include "simcore/body/State.h"
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/author/BuildJoint.h"
 #include "simcore/step/Model.h"
 
 namespace glenoid {

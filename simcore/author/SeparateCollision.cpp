@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "simcore/mesh/MeshHealth.h"
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/author/BuildJoint.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TriangleTree.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/scene/BuildJoint.h"
+#include "simcore/author/BuildJoint.h"
 
 #include <gtest/gtest.h>
 
