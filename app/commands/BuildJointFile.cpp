@@ -17,6 +17,8 @@ void printStart(const SeparationOutcome& start, const Joint& joint) {
               start.depthBefore * 1e3, start.sweeps, start.movedParts.size(), start.maxShift * 1e3);
   std::printf("start: %d pairs of parts compared exactly: %d intersecting triangle pairs, %d of the visual surfaces; least volume ratio %.3f\n",
               proof.pairs, proof.cuts, proof.visualCuts, proof.minVolumeRatio);
+  for (std::size_t i = 0; i < start.movedParts.size(); ++i)
+    std::printf("start: cage of %s, by up to %.2f mm\n", start.movedParts[i].c_str(), start.shifts[i] * 1e3);
   for (const Overlap& overlap : start.check.overlaps)
     std::printf("start: %s and %s still cut each other in %zu places, %.2f mm deep\n", joint.parts[overlap.partA].id.c_str(),
                 joint.parts[overlap.partB].id.c_str(), overlap.cuts.size(), overlap.depth * 1e3);

@@ -106,32 +106,46 @@ void wishesAgainst(const Body& body, const Body& other, double clearance, double
     wish(body.surface.triangles[mine], Vec3::Constant(1.0 / 3), normalOf(other.surface, its), 0.5 * clearance);
 }
 
-/// Way by which a thin body that another cuts through can come to lie on one side of it: the mean way out of `other` over
-/// the body's points near it, weighted so that those far inside count less than those outside.
-Vec3 sideOf(const Body& body, const Body& other) {
+/// How far a path leads until it leaves a surface for the last time within kFar; −1 where it never does.
+constexpr double kFar = 8e-3;
+double wayOut(const Body& other, const Vec3& x, const Vec3& side) {
+  double exit = -1;
+  for (double from = 0; from < kFar;) {
+    const auto hit = other.tree->cast(x + from * side, side, kFar - from);
+    if (!hit) break;
+    from += hit->distance + 1e-6;
+    if (hit->normal.dot(side) > 0) exit = from;  // a way out, not a way in
+  }
+  return exit;
+}
+
+/// Ways by which a thin body that another cuts through can come to lie on one side of it: out of `other` on the side of
+/// most of the body's points near it, and the opposite; the one with less to go first.
+std::array<Vec3, 2> sidesOf(const Body& body, const Body& other) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& x : body.surface.vertices)
     if (const auto near = nearOf(other, x, kLook); near && near->gap > 0) sum += near->away;
   if (sum.norm() < 1e-9)
     for (const Vec3& x : body.surface.vertices)
       if (const auto near = nearOf(other, x, kLook)) sum += near->away;
-  return sum.norm() > 1e-9 ? Vec3(sum.normalized()) : Vec3::Zero();
+  if (sum.norm() < 1e-9) return {Vec3::Zero(), Vec3::Zero()};
+  const Vec3 side = sum.normalized();
+  double there = 0, back = 0;
+  for (const Vec3& x : body.surface.vertices) {
+    there += std::max(0.0, wayOut(other, x, side));
+    back += std::max(0.0, wayOut(other, x, -side));
+  }
+  if (back < there) return {-side, side};
+  return {side, -side};
 }
 
 /// As wishesAgainst, but all points go the same way: each whose path along `side` still meets the other's surface within
 /// kFar goes to where that path leaves it.
 void wishesToward(const Body& body, const Body& other, const Vec3& side, double clearance, std::vector<Wish>& wishes) {
-  constexpr double kFar = 8e-3;
   const auto own = [&](const std::array<int, 3>& vertex, const Vec3& weight) {
     Vec3 x = Vec3::Zero();
     for (int k = 0; k < 3; ++k) x += weight[k] * body.surface.vertices[vertex[k]];
-    double exit = -1;
-    for (double from = 0; from < kFar;) {
-      const auto hit = other.tree->cast(x + from * side, side, kFar - from);
-      if (!hit) break;
-      from += hit->distance + 1e-6;
-      if (hit->normal.dot(side) > 0) exit = from;  // a way out, not a way in
-    }
+    const double exit = wayOut(other, x, side);
     if (exit >= 0) wishes.push_back({vertex, weight, side, std::min(exit + clearance, kStep)});
   };
   for (int v = 0; v < static_cast<int>(body.surface.vertices.size()); ++v) own({v, v, v}, Vec3(1, 0, 0));
@@ -321,7 +335,7 @@ class Separation {
   }
 
   /// Of two soft parts that stay in each other's way the thinner one has to come to one side of the other: first to the
-  /// side on which most of it is, then to the opposite one.
+  /// side to which there is less to go, then to the opposite one.
   void chooseSides(const std::vector<Overlap>& overlaps) {
     constexpr int kPatience = 10, kTry = 30;
     std::map<std::array<int, 2>, Stuck> still;
@@ -332,9 +346,9 @@ class Separation {
       const Body &a = m_bodies[pair[0]], &b = m_bodies[pair[1]];
       if (a.caged && b.caged && stuck.sweeps % kTry == kPatience) {
         const bool first = thicknessOf(*a.part->collision) < thicknessOf(*b.part->collision);
-        const Vec3 side = first ? sideOf(a, b) : sideOf(b, a);
-        if (side.norm() > 0) {
-          stuck.side = stuck.tries++ % 2 == 0 ? side : Vec3(-stuck.side);
+        const auto sides = first ? sidesOf(a, b) : sidesOf(b, a);
+        if (sides[0].norm() > 0) {
+          stuck.side = stuck.tries++ == 0 ? sides[0] : Vec3(-stuck.side);
           stuck.mover = pair[first ? 0 : 1];
         }
       }
@@ -353,6 +367,7 @@ class Separation {
       if (most < 1e-9 && !findCage(m_joint, body.part->id)) continue;
       outcome.maxShift = std::max(outcome.maxShift, most);
       outcome.movedParts.push_back(body.part->id);
+      outcome.shifts.push_back(most);
       putCage(m_joint, body.caged->cage());
     }
   }

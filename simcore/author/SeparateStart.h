@@ -18,6 +18,7 @@ struct SeparationOutcome {
   int sweeps = 0;
   double maxShift = 0;        ///< m, greatest displacement of a collision vertex
   std::vector<std::string> movedParts;
+  std::vector<double> shifts;  ///< m, greatest of a collision vertex, of each of movedParts
   StartCheck check;           ///< of the start afterwards
 };
 

@@ -41,7 +41,7 @@ struct NearCoupling {
 /// How the start is freed of intersections by cages (paper §4.3).
 struct StartWishes {
   double clearance = 1e-3;   ///< m kept between collision surfaces, > 0
-  int handles = 60;          ///< of the cages that have to be made
+  int handles = 100;         ///< of the cages that have to be made
   int iterations = 60;       ///< sweeps over all parts, for each refinement
   int refinements = 2;       ///< times that the cages of parts still in the way get twice the handles
   std::vector<std::string> parts;  ///< ids of soft parts whose cages may move; empty: all
