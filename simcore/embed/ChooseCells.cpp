@@ -2,17 +2,20 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "simcore/embed/Cells.h"
 #include "simcore/embed/Lattice.h"
 #include "simcore/mesh/MeshHealth.h"
+#include "simcore/mesh/Simplify.h"
 #include "simcore/mesh/TetTools.h"
 
 namespace glenoid {
 namespace {
 
 constexpr int kMostTets = 200000, kShiftBelow = 1000;
+constexpr int kLargeSurface = 50000, kStandIn = 20000;  ///< triangles
 
 /// One grid that was tried.
 struct Trial {
@@ -79,6 +82,16 @@ Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, 
                  "tetrahedra of a part"};
   const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
   const EmbeddedSurfaces surfaces(visual, collision);
+  // Grids are tried on a stand-in for a very large surface, whose triangles are much smaller than any cell; what is
+  // taken in the end is cut by the surface itself.
+  std::optional<EmbeddedSurfaces> thinned;
+  if (visual.triangles.size() > kLargeSurface || collision.triangles.size() > kLargeSurface) {
+    const auto standIn = [](const TriMesh& mesh) {
+      return mesh.triangles.size() > kLargeSurface ? roughlySimplified(mesh, kStandIn) : mesh;
+    };
+    thinned.emplace(standIn(visual), standIn(collision));
+  }
+  const EmbeddedSurfaces& tried = thinned ? *thinned : surfaces;
 
   // From one cell around everything downwards in steps of 2 %, so that no grid is ever much finer than
   // needed; cells that were full of tissue would need size `full`, and partly full ones more.
@@ -86,7 +99,7 @@ Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, 
   const double largest = 2 * boundsOf(visual).merged(boundsOf(collision)).diagonal().norm();
   std::vector<double> sizes;
   for (double size = largest; size > 0.9 * full; size /= 1.02) {
-    const int count = countOf(surfaces, cubes(frame, size, Vec3::Zero()));
+    const int count = countOf(tried, cubes(frame, size, Vec3::Zero()));
     if (count >= 0.6 * targetTets && count <= 1.6 * targetTets) sizes.push_back(size);
     if (count > 2.5 * targetTets) break;
   }
@@ -97,7 +110,7 @@ Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, 
     for (int s = 0; s < shifts; ++s) {
       const Vec3 shift = Vec3(s % 3, s / 3 % 3, s / 9) / 3.0;
       const CellGrid grid = cubes(frame, size, shift);
-      const int count = countOf(surfaces, grid);
+      const int count = countOf(tried, grid);
       if (std::abs(count - targetTets) <= 0.15 * targetTets)
         trials.push_back({grid, std::abs(count - targetTets), count * size * size * size});
     }

@@ -68,12 +68,59 @@ double volumeBelow(const Tet4& tet, const std::array<Vec3, 3>& triangle, const V
 
 }  // namespace
 
+namespace {
+
+struct Prism {
+  std::array<Vec3, 3> corners;
+  Vec3 normal;
+  Box3 box;
+};
+
+/// Squares of the XY plane with the prisms whose boxes meet them.
+class Squares {
+ public:
+  explicit Squares(const std::vector<Prism>& prisms) {
+    for (const Prism& prism : prisms) m_box.extend(prism.box);
+    const double area = std::max(1e-300, m_box.sizes().x() * m_box.sizes().y());
+    m_side = std::sqrt(area / (1 + static_cast<double>(prisms.size()) / 8));
+    for (int k = 0; k < 2; ++k) m_count[k] = 1 + static_cast<int>(std::min(2000.0, m_box.sizes()[k] / m_side));
+    m_lists.resize(static_cast<std::size_t>(m_count[0]) * m_count[1]);
+    for (std::size_t p = 0; p < prisms.size(); ++p) forEach(prisms[p].box, [&](auto& list) { list.push_back(static_cast<int>(p)); });
+    m_seen.assign(prisms.size(), -1);
+  }
+  /// Those whose squares meet the box, ascending, into `found`. `query`: another number each time.
+  void near(const Box3& box, int query, std::vector<int>& found) {
+    found.clear();
+    forEach(box, [&](const auto& list) {
+      for (const int p : list)
+        if (m_seen[p] != query) m_seen[p] = query, found.push_back(p);
+    });
+    std::sort(found.begin(), found.end());
+  }
+
+ private:
+  template <class Function>
+  void forEach(const Box3& box, Function&& function) {
+    int low[2], high[2];
+    for (int k = 0; k < 2; ++k) {
+      const auto at = [&](double x) {
+        return std::clamp(static_cast<int>((x - m_box.min()[k]) / m_side), 0, m_count[k] - 1);
+      };
+      low[k] = at(box.min()[k]), high[k] = at(box.max()[k]);
+    }
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x) function(m_lists[static_cast<std::size_t>(y) * m_count[0] + x]);
+  }
+  Box3 m_box;
+  double m_side = 1;
+  int m_count[2] = {1, 1};
+  std::vector<std::vector<int>> m_lists;
+  std::vector<int> m_seen;
+};
+
+}  // namespace
+
 std::vector<double> enclosedVolumes(const TetMesh& mesh, const TriMesh& closed) {
-  struct Prism {
-    std::array<Vec3, 3> corners;
-    Vec3 normal;
-    Box3 box;
-  };
   std::vector<double> volumes(mesh.tets.size(), 0.0);
   if (mesh.tets.empty()) return volumes;
   const Vec3 origin = mesh.nodes[mesh.tets[0][0]];  // near the part, to keep digits
@@ -88,11 +135,16 @@ std::vector<double> enclosedVolumes(const TetMesh& mesh, const TriMesh& closed) 
     prism.normal = (c[1] - c[0]).cross(c[2] - c[0]);
     if (prism.normal.z() != 0) prisms.push_back(prism);
   }
+  if (prisms.empty()) return volumes;
+  Squares squares(prisms);
+  std::vector<int> found;
   for (std::size_t i = 0; i < mesh.tets.size(); ++i) {
     Tet4 tet;
     Box3 box;
     for (int k = 0; k < 4; ++k) tet[k] = mesh.nodes[mesh.tets[i][k]] - origin, box.extend(tet[k]);
-    for (const Prism& p : prisms) {
+    squares.near(box, static_cast<int>(i), found);
+    for (const int index : found) {
+      const Prism& p = prisms[index];
       if (p.box.max().x() <= box.min().x() || p.box.min().x() >= box.max().x() ||
           p.box.max().y() <= box.min().y() || p.box.min().y() >= box.max().y() ||
           p.box.max().z() <= box.min().z())

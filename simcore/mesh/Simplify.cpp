@@ -13,8 +13,9 @@
 namespace glenoid {
 namespace {
 
-/// First reduction of a large surface. The answer counts only when it kept closedness and topology.
-TriMesh reduceLarge(const TriMesh& mesh, int target) {
+}  // namespace
+
+TriMesh roughlySimplified(const TriMesh& mesh, int target) {
   const Box3 box = boundsOf(mesh);
   const double scale = box.diagonal().norm();
   std::vector<float> positions;
@@ -34,7 +35,14 @@ TriMesh reduceLarge(const TriMesh& mesh, int target) {
   for (std::size_t i = 0; i + 2 < count; i += 3)
     reduced.triangles.push_back(
         {static_cast<int>(out[i]), static_cast<int>(out[i + 1]), static_cast<int>(out[i + 2])});
-  reduced = compact(reduced);
+  return compact(reduced);
+}
+
+namespace {
+
+/// First reduction of a large surface. The answer counts only when it kept closedness and topology.
+TriMesh reduceLarge(const TriMesh& mesh, int target) {
+  const TriMesh reduced = roughlySimplified(mesh, target);
   const MeshHealth before = healthOf(mesh), after = healthOf(reduced);
   const bool kept = after.closed() && after.manifold() && after.genus == before.genus &&
                     after.components == before.components;
@@ -79,13 +87,17 @@ Result<TriMesh> simplify(const TriMesh& mesh, int targetTriangles, const Simplif
   if (const auto closed = requireClosed(mesh); !closed) return closed.error();
   if (static_cast<int>(mesh.triangles.size()) <= targetTriangles) return mesh;
 
-  const int first = std::max(options.largeMesh / 2, 2 * targetTriangles);
+  // Collapsing edges one by one is slow, so the larger the surface the more of it goes the quick way.
+  const bool huge = static_cast<int>(mesh.triangles.size()) > 5 * options.largeMesh;
+  const int first = std::max(options.largeMesh / (huge ? 4 : 2), (huge ? 4 : 2) * targetTriangles);
   const bool large = static_cast<int>(mesh.triangles.size()) > std::max(options.largeMesh, 2 * first);
   Collapser collapser(large ? reduceLarge(mesh, first) : compact(mesh));
   // Shape first; then the count. A cut through itself only when nothing else reaches it, as with a surface
   // that cuts itself to begin with.
   const CollapseRules strict, loose{0.0, 0.05, -0.9, 0.1, false}, last{-0.2, 0.01, -0.99, 0.2, false},
       any{-1, 1e-3, -1, 0.5, true};
+  // Far from the goal triangles are small beside the surface's features: none will come to cut another.
+  if (large) collapser.run(first, CollapseRules{strict.minTurn, strict.minShape, strict.minDihedral, strict.maxVolumeLoss, true});
   for (const CollapseRules& rules : {strict, loose, last, any}) collapser.run(targetTriangles, rules);
   const TriMesh result = collapser.result();
   return options.keepVolume ? withVolume(result, enclosedVolume(mesh)) : result;

@@ -13,6 +13,11 @@ struct SimplifyOptions {
   int largeMesh = 40000;
 };
 
+/// Quick reduction of a large surface to roughly `targetTriangles`, by picking among its vertices (meshoptimizer). It
+/// keeps a closed surface closed, but single edges may end up with four triangles: right for measuring, not for a
+/// surface that somebody keeps. All indices must be valid.
+TriMesh roughlySimplified(const TriMesh& mesh, int targetTriangles);
+
 /// Closed surface with about `targetTriangles` triangles: edges collapse, cheapest first, to the point of
 /// least quadric error. A collapse that would change the topology, flip a triangle, make a sliver or cut the
 /// surface through itself is refused; where that leaves too many triangles, the rules on shape are relaxed

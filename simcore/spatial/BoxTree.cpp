@@ -48,6 +48,9 @@ void flatten(const btDbvtNode* root, std::vector<Node>& nodes) {
   }
 }
 
+/// Bullet's tree is the better one, but takes seconds for half a million items.
+constexpr int kMostForBullet = 20000;
+
 /// Plain halving in the order of the items along the longest side: never deeper than log2 of the count.
 void halve(std::span<const Box3> boxes, std::span<int> items, std::vector<Node>& nodes) {
   const int index = static_cast<int>(nodes.size());
@@ -57,11 +60,11 @@ void halve(std::span<const Box3> boxes, std::span<int> items, std::vector<Node>&
   for (const int i : items) centres.extend(boxes[i].center());
   Eigen::Index axis = 0;
   centres.sizes().maxCoeff(&axis);
-  std::sort(items.begin(), items.end(), [&](int i, int j) {
+  const std::size_t half = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(), [&](int i, int j) {
     const double a = boxes[i].center()[axis], b = boxes[j].center()[axis];
     return a != b ? a < b : i < j;
   });
-  const std::size_t half = items.size() / 2;
   nodes[index].first = index + 1;
   halve(boxes, items.subspan(0, half), nodes);
   nodes[index].second = static_cast<int>(nodes.size());
@@ -74,7 +77,7 @@ BoxTree::BoxTree(std::span<const Box3> boxes) {
   if (boxes.empty()) return;
   const int count = static_cast<int>(boxes.size());
   m_nodes.reserve(2 * boxes.size());
-  {
+  if (count <= kMostForBullet) {
     btDbvt tree;
     for (int i = 0; i < count; ++i) {
       const Vec3 low = boxes[i].min(), high = boxes[i].max();
