@@ -60,6 +60,32 @@ TEST(RecipeFile, whatTheFileSaysIsRead) {
   EXPECT_EQ(recipe->couplings[0].stiffnessPerArea, 1e7);
 }
 
+TEST(RecipeFile, couplingsByDistanceAndTheWishesForTheStart) {
+  const Prepared prepared;
+  const auto recipe = prepared.load("\"regionA\": \"foot\", \"stiffnessPerArea\": 1e7}]",
+                                    "\"within\": 0.002, \"ball\": {\"centre\": [0.1, 0.2, 0.3], \"radius\": 0.01}, "
+                                    "\"stiffnessPerArea\": 1e7, \"reason\": \"grown together\"}, "
+                                    "{\"id\": \"d\", \"partA\": \"cuff\", \"partB\": \"humerus\", \"regionA\": \"foot\", "
+                                    "\"stiffnessPerArea\": 2e7}], \"start\": {\"clearance\": 0.0005, \"handles\": 40, \"parts\": [\"cuff\"]}");
+  ASSERT_TRUE(recipe.ok()) << toLogLine(recipe.error());
+  ASSERT_EQ(recipe->nearCouplings.size(), 1u);
+  const NearCoupling& near = recipe->nearCouplings[0];
+  EXPECT_EQ(near.coupling.id, "c");
+  EXPECT_EQ(near.coupling.reason, "grown together");
+  EXPECT_EQ(near.coupling.stiffnessPerArea, 1e7);
+  EXPECT_EQ(near.within, 0.002);
+  EXPECT_EQ(near.centre_W, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(near.radius, 0.01);
+  ASSERT_EQ(recipe->couplings.size(), 1u);
+  EXPECT_EQ(recipe->couplings[0].id, "d");
+  ASSERT_TRUE(recipe->start);
+  EXPECT_EQ(recipe->start->clearance, 0.0005);
+  EXPECT_EQ(recipe->start->handles, 40);
+  EXPECT_EQ(recipe->start->iterations, StartWishes{}.iterations);
+  EXPECT_EQ(recipe->start->parts, std::vector<std::string>{"cuff"});
+  EXPECT_FALSE(prepared.load()->start);
+}
+
 TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
   struct Slip {
     const char *what, *by;
@@ -74,6 +100,8 @@ TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
         Slip{"[3, 1]", "[3, 2]", Fault::BadIndex, "/parts/1/regions/0/triangles", "cuff"},
         Slip{"\"number\": 2", "\"number\": 1", Fault::DuplicateId, "/parts/1/number", "cuff"},
         Slip{"\"regionA\": \"foot\"", "\"regionA\": \"hand\"", Fault::UnknownId, "/couplings/0/regionA", "c"},
+        Slip{"\"regionA\": \"foot\"", "\"regionA\": \"foot\", \"within\": 0.001", Fault::SchemaMismatch, "/couplings/0", ""},
+        Slip{"\"partB\": \"humerus\", \"regionA\": \"foot\"", "\"partB\": \"ulna\", \"within\": 0.001", Fault::UnknownId, "/couplings/0/partB", "c"},
         Slip{"\"clearance\": 0.001", "\"clearance\": -1", Fault::OutOfRange, "/clearance", ""}}) {
     const auto recipe = prepared.load(slip.what, slip.by);
     ASSERT_FALSE(recipe.ok()) << slip.by;
