@@ -27,10 +27,10 @@ Result<Done> info(const std::string& word, bool json) {
 }
 
 Result<Done> check(const std::string& word, bool json) {
-  const auto model = modelOf(word);
-  if (!model) return model.error();
-  const JointCheck found = checkJoint(**model);
-  std::fputs((json ? jointCheckJson(**model, found) : jointCheckText(**model, found)).c_str(), stdout);
+  const Result<Joint> joint = openJoint(word);
+  if (!joint) return joint.error();
+  const CheckReport found = *ProblemFinder().find(*joint);  // fails only where it is asked to stop
+  std::fputs((json ? jointCheckJson(*joint, found) : jointCheckText(*joint, found)).c_str(), stdout);
   if (found.holds()) return Done{};
   return Error{Fault::CheckFailed, {word, "", "", {}}, {"the joint has problems, listed above"}, "joint check"};
 }
@@ -48,7 +48,7 @@ void addJointCommand(CLI::App& app, int& status) {
   const auto finish = [&status](const Result<Done>& done) { status = done ? kDone : complain(done.error()); };
 
   CLI::App* infoCommand = command->add_subcommand("info", "Parts and couplings; the built-in shoulder beside the paper's Table 1");
-  CLI::App* checkCommand = command->add_subcommand("check", "Surfaces, tetrahedra, couplings, intersections at the start");
+  CLI::App* checkCommand = command->add_subcommand("check", "List what is wrong with a joint, and what to do about it");
   for (CLI::App* with : {infoCommand, checkCommand}) {
     with->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
     with->add_flag("--json", wishes->json, "For programs");

@@ -14,8 +14,11 @@
 #include <QVBoxLayout>
 
 #include "editor/core/Sentences.h"
+#include "editor/ui/HistoryPanel.h"
+#include "editor/ui/JobsBar.h"
 #include "editor/ui/LayersPanel.h"
 #include "editor/ui/PartTree.h"
+#include "editor/ui/ProblemsPanel.h"
 #include "editor/ui/PropertiesPanel.h"
 #include "editor/ui/SceneView.h"
 #include "editor/ui/StatusFigures.h"
@@ -25,7 +28,8 @@ namespace glenoid {
 
 MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver)
     : m_document(parts.document), m_link(parts.link), m_display(parts.display), m_selection(parts.selection),
-      m_loader(std::move(loader)), m_saver(std::move(saver)), m_actions(this) {
+      m_loader(std::move(loader)), m_saver(std::move(saver)), m_actions(this), m_jobs(m_document),
+      m_problems(m_document, m_jobs) {
   setObjectName(QStringLiteral("mainWindow"));
   m_workers.setMaxThreadCount(1);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
@@ -42,6 +46,10 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   m_busy->setObjectName(QStringLiteral("busy"));
   m_busy->setContentsMargins(8, 0, 8, 0);
   statusBar()->addWidget(m_busy);
+  statusBar()->addWidget(new JobsBar(m_jobs));
+  connect(&m_jobs, &JobSystem::ended, this, [this](int, JobSystem::End, const QString& sentence) {
+    if (!sentence.isEmpty()) showProblem(sentence);
+  });
   m_figures = new StatusFigures(m_link);
   if (m_view) m_figures->setFramesPerSecond([this] { return m_view->framesPerSecond(); });
   statusBar()->addPermanentWidget(m_figures);
@@ -123,10 +131,32 @@ void MainWindow::makeDocks() {
   resizeDocks({m_docks[0], m_docks[1]}, {560, 190}, Qt::Vertical);
   resizeDocks({m_docks[2], m_docks[3]}, {520, 230}, Qt::Vertical);
   resizeDocks({m_docks[0], m_docks[2]}, {270, 300}, Qt::Horizontal);
+  makeDocumentDocks();
   if (m_view) {
     connect(m_tools, &ToolPanel::chosen, m_view, &SceneView::setChosenTool);
     connect(m_view, &SceneView::chosenToolChanged, m_tools, &ToolPanel::setChosen);
   }
+}
+
+/// Problems and history, in tabs behind the properties.
+void MainWindow::makeDocumentDocks() {
+  auto* problems = new ProblemsPanel(m_document, m_problems);
+  connect(problems, &ProblemsPanel::showWanted, this, [this](const std::set<std::string>& parts) {
+    if (parts.empty()) return;
+    m_selection.assign(parts, *parts.begin());
+    if (m_view) m_view->frameSelection();
+  });
+  const auto dock = [this](const char* name, QWidget* content) {
+    auto* made = new QDockWidget;
+    made->setObjectName(QStringLiteral("dock.") + QLatin1String(name));
+    made->setWidget(content);
+    addDockWidget(Qt::RightDockWidgetArea, made);
+    tabifyDockWidget(m_docks[2], made);
+    m_docks.push_back(made);
+  };
+  dock("problems", problems);
+  dock("history", new HistoryPanel(m_document.undoStack()));
+  m_docks[2]->raise();
 }
 
 // ---- Texts
@@ -136,7 +166,7 @@ void MainWindow::retranslate() {
   m_actions.retranslate();
   const QStringList menus = {tr("&File"), tr("&Edit"), tr("&View"), tr("&Simulate"), tr("&Help")};
   for (std::size_t i = 0; i < m_menus.size(); ++i) m_menus[i]->setTitle(menus.value(static_cast<int>(i)));
-  const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools")};
+  const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools"), tr("Problems"), tr("History")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
   m_builtinMenu->setTitle(tr("Open a &built-in scene"));
   m_languageMenu->setTitle(tr("&Language"));

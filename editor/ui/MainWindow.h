@@ -4,7 +4,9 @@
 
 #include "editor/core/DisplayState.h"
 #include "editor/core/Document.h"
+#include "editor/core/JobSystem.h"
 #include "editor/core/PlayLink.h"
+#include "editor/core/ProblemWatch.h"
 #include "editor/ui/Actions.h"
 #include "editor/ui/GlProbe.h"
 
@@ -39,6 +41,9 @@ class MainWindow : public QMainWindow {
 
   SceneView* view() const { return m_view; }  ///< null without OpenGL
   Actions& actions() { return m_actions; }
+  /// Work in the background, shown in the status bar.
+  JobSystem& jobs() { return m_jobs; }
+  ProblemWatch& problems() { return m_problems; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
@@ -60,6 +65,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeToolBars();
   void makeDocks();
+  void makeDocumentDocks();
   QWidget* makeCentre(const GlProbe& graphics);
   void retranslate();
   void refreshTitle();
@@ -78,6 +84,8 @@ class MainWindow : public QMainWindow {
   SceneLoader m_loader;
   SceneSaver m_saver;
   Actions m_actions;
+  JobSystem m_jobs;
+  ProblemWatch m_problems;
   SceneView* m_view = nullptr;
   PartTree* m_tree = nullptr;
   LayersPanel* m_layers = nullptr;

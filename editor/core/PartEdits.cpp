@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/PartEdits.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "editor/core/AnatomyNames.h"
+#include "editor/core/SameScene.h"
+
+namespace glenoid {
+namespace {
+
+/// Texts of this file.
+struct PartEdits {
+  Q_DECLARE_TR_FUNCTIONS(glenoid::PartEdits)
+};
+
+QString nameOf(const Joint& joint, const std::string& part) {
+  const int index = findPart(joint, part);
+  return index < 0 || joint.parts[index].name.empty() ? QString::fromStdString(part) : anatomyName(joint.parts[index].name);
+}
+
+/// One step from the joint to another; false when it is the same.
+template <class Change>
+bool change(Document& document, const QString& text, Change&& how, const QString& gesture = {}) {
+  Scene after = document.scene();
+  how(after);
+  ChangeSet changes = changesBetween(document.joint(), after.joint);
+  if (!changes.model) return false;
+  document.edit(text, changes, [&](Scene& scene) { scene = std::move(after); }, gesture);
+  return true;
+}
+
+/// The same for one part that exists.
+template <class Change>
+bool changePart(Document& document, const std::string& part, const QString& text, Change&& how, const QString& gesture = {}) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0) return false;
+  return change(document, text, [&](Scene& scene) { how(scene.joint, scene.joint.parts[index]); }, gesture);
+}
+
+bool samePair(const Exclusion& e, const std::string& a, const std::string& b) {
+  return (e.partA == a && e.partB == b) || (e.partA == b && e.partB == a);
+}
+
+void dropCage(Joint& joint, const std::string& part) {
+  if (std::erase_if(joint.cages, [&](const Cage& cage) { return cage.part == part; })) joint.startProof.reset();
+}
+
+/// Takes away what names a part or, where `region` is not empty, a region of it.
+void dropReferences(Joint& joint, const std::string& part, const std::string& region) {
+  std::erase_if(joint.couplings, [&](const Coupling& c) {
+    return region.empty() ? c.partA == part || c.partB == part : c.partA == part && c.regionA == region;
+  });
+  for (Bursa& bursa : joint.bursae)
+    for (auto* sides : {&bursa.floor, &bursa.roof})
+      std::erase_if(*sides, [&](const BursaSide& side) {
+        return side.part == part && (region.empty() || side.region == region);
+      });
+  std::erase_if(joint.bursae, [](const Bursa& bursa) { return bursa.floor.empty() || bursa.roof.empty(); });
+}
+
+void sortParts(Joint& joint) {
+  std::stable_sort(joint.parts.begin(), joint.parts.end(), [](const Part& a, const Part& b) { return a.number < b.number; });
+}
+
+bool reaches(const Region& region, const TriMesh& mesh) {
+  return std::all_of(region.triangles.begin(), region.triangles.end(), [&](const TriangleRun& run) {
+    return static_cast<std::size_t>(run.first) + run.count <= mesh.triangles.size();
+  });
+}
+
+}  // namespace
+
+bool renamePart(Document& document, const std::string& part, const QString& name) {
+  return changePart(document, part, PartEdits::tr("Rename “%1”").arg(nameOf(document.joint(), part)),
+                    [&](Joint&, Part& p) { p.name = name.toStdString(); });
+}
+
+bool setPartNumber(Document& document, const std::string& part, int number) {
+  if (number < 1) return false;
+  for (const Part& other : document.joint().parts)
+    if (other.number == number) return false;
+  return changePart(document, part, PartEdits::tr("Number “%1”").arg(nameOf(document.joint(), part)),
+                    [&](Joint& joint, Part& p) {
+                      p.number = number;
+                      sortParts(joint);
+                    });
+}
+
+bool setPartKind(Document& document, const std::string& part, PartKind kind, std::shared_ptr<const TetMesh> volume,
+                 double cellSize) {
+  if (kind == PartKind::Soft && (!volume || volume->tets.empty())) return false;
+  const QString name = nameOf(document.joint(), part);
+  return changePart(document, part, kind == PartKind::Soft ? PartEdits::tr("Make “%1” soft").arg(name) : PartEdits::tr("Make “%1” rigid").arg(name),
+                    [&](Joint& joint, Part& p) {
+                      p.kind = kind;
+                      p.volume = kind == PartKind::Soft ? volume : nullptr;
+                      p.cellSize = kind == PartKind::Soft ? cellSize : 0;
+                      if (kind == PartKind::Rigid) dropCage(joint, part);
+                    });
+}
+
+bool setPartColor(Document& document, const std::string& part, const std::array<float, 3>& color) {
+  return changePart(document, part, PartEdits::tr("Colour “%1”").arg(nameOf(document.joint(), part)),
+                    [&](Joint&, Part& p) { p.color = color; }, QStringLiteral("color:") + QString::fromStdString(part));
+}
+
+bool setPartMaterials(Document& document, const std::string& part, const std::vector<MaterialUse>& materials) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0 || materials.empty() || !materials[0].region.empty()) return false;
+  for (const MaterialUse& use : materials)
+    if (findMaterial(document.joint(), use.material) < 0 ||
+        (!use.region.empty() && !findRegion(document.joint().parts[index], use.region)))
+      return false;
+  return changePart(document, part, PartEdits::tr("Change the materials of “%1”").arg(nameOf(document.joint(), part)),
+                    [&](Joint&, Part& p) { p.materials = materials; });
+}
+
+bool addPart(Document& document, const Part& part) {
+  if (part.id.empty() || findPart(document.joint(), part.id) >= 0) return false;
+  for (const Part& other : document.joint().parts)
+    if (other.number == part.number) return false;
+  const QString name = part.name.empty() ? QString::fromStdString(part.id) : anatomyName(part.name);
+  return change(document, PartEdits::tr("Add “%1”").arg(name), [&](Scene& scene) {
+    scene.joint.parts.push_back(part);
+    sortParts(scene.joint);
+  });
+}
+
+bool removePart(Document& document, const std::string& part) {
+  if (findPart(document.joint(), part) < 0) return false;
+  return change(document, PartEdits::tr("Remove “%1”").arg(nameOf(document.joint(), part)), [&](Scene& scene) {
+    Joint& joint = scene.joint;
+    joint.parts.erase(joint.parts.begin() + findPart(joint, part));
+    dropReferences(joint, part, {});
+    std::erase_if(joint.exclusions, [&](const Exclusion& e) { return e.partA == part || e.partB == part; });
+    dropCage(joint, part);
+    Scenario& scenario = scene.scenario;
+    std::erase(scenario.fixedParts, part);
+    std::erase_if(scenario.holds, [&](const Hold& hold) { return hold.part == part; });
+    std::erase_if(scenario.loads, [&](const Load& load) { return load.part == part; });
+    for (Tool& tool : scenario.tools) std::erase(tool.perforates, part);
+  });
+}
+
+bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh) {
+  if (!mesh || mesh->triangles.empty()) return false;
+  const QString name = nameOf(document.joint(), part);
+  const QString text = kind == SurfaceKind::Visual ? PartEdits::tr("Replace the visual surface of “%1”").arg(name)
+                                                   : PartEdits::tr("Replace the collision surface of “%1”").arg(name);
+  return changePart(document, part, text, [&](Joint& joint, Part& p) {
+    (kind == SurfaceKind::Visual ? p.visual : p.collision) = mesh;
+    std::vector<std::string> lost;
+    for (const Region& region : p.regions)
+      if (region.surface == kind && !reaches(region, *mesh)) lost.push_back(region.id);
+    for (const std::string& region : lost) {
+      dropReferences(joint, part, region);
+      std::erase_if(p.materials, [&](const MaterialUse& use) { return use.region == region; });
+      std::erase_if(p.regions, [&](const Region& r) { return r.id == region; });
+    }
+  });
+}
+
+bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0 || document.joint().parts[index].kind != PartKind::Soft || !volume || volume->tets.empty()) return false;
+  return changePart(document, part, PartEdits::tr("Embed “%1” in other cells").arg(nameOf(document.joint(), part)),
+                    [&](Joint&, Part& p) {
+                      p.volume = volume;
+                      p.cellSize = cellSize;
+                    });
+}
+
+bool addMaterial(Document& document, const Material& material) {
+  if (material.id.empty() || findMaterial(document.joint(), material.id) >= 0) return false;
+  return change(document, PartEdits::tr("Add the material “%1”").arg(anatomyName(material.name)),
+                [&](Scene& scene) { scene.joint.materials.push_back(material); });
+}
+
+bool setMaterial(Document& document, const Material& material, const QString& gesture) {
+  const int index = findMaterial(document.joint(), material.id);
+  if (index < 0) return false;
+  return change(document, PartEdits::tr("Change the material “%1”").arg(anatomyName(material.name)),
+                [&](Scene& scene) { scene.joint.materials[index] = material; }, gesture);
+}
+
+bool removeMaterial(Document& document, const std::string& material) {
+  const int index = findMaterial(document.joint(), material);
+  if (index < 0) return false;
+  for (const Part& part : document.joint().parts)
+    for (const MaterialUse& use : part.materials)
+      if (use.material == material) return false;
+  return change(document, PartEdits::tr("Remove the material “%1”").arg(anatomyName(document.joint().materials[index].name)),
+                [&](Scene& scene) { scene.joint.materials.erase(scene.joint.materials.begin() + index); });
+}
+
+bool addExclusion(Document& document, const Exclusion& exclusion) {
+  const Joint& joint = document.joint();
+  if (findPart(joint, exclusion.partA) < 0 || findPart(joint, exclusion.partB) < 0 || exclusion.partA == exclusion.partB)
+    return false;
+  for (const Exclusion& e : joint.exclusions)
+    if (samePair(e, exclusion.partA, exclusion.partB)) return false;
+  return change(document, PartEdits::tr("Switch off contact between “%1” and “%2”")
+                              .arg(nameOf(joint, exclusion.partA), nameOf(joint, exclusion.partB)),
+                [&](Scene& scene) { scene.joint.exclusions.push_back(exclusion); });
+}
+
+bool removeExclusion(Document& document, const std::string& partA, const std::string& partB) {
+  return change(document, PartEdits::tr("Switch on contact between “%1” and “%2”")
+                              .arg(nameOf(document.joint(), partA), nameOf(document.joint(), partB)),
+                [&](Scene& scene) {
+                  std::erase_if(scene.joint.exclusions, [&](const Exclusion& e) { return samePair(e, partA, partB); });
+                });
+}
+
+bool putPartCage(Document& document, const Cage& cage) {
+  const int index = findPart(document.joint(), cage.part);
+  if (index < 0 || document.joint().parts[index].kind != PartKind::Soft || cage.rest_W.size() != cage.moved_W.size()) return false;
+  for (const Cage& other : document.joint().cages)
+    if (other.id == cage.id && other.part != cage.part) return false;
+  const Cage* old = findCage(document.joint(), cage.part);
+  if (old && *old == cage) return false;
+  return change(document, PartEdits::tr("Put a cage around “%1”").arg(nameOf(document.joint(), cage.part)), [&](Scene& scene) {
+    Joint& joint = scene.joint;
+    const auto found = std::find_if(joint.cages.begin(), joint.cages.end(), [&](const Cage& c) { return c.part == cage.part; });
+    if (found != joint.cages.end()) *found = cage;
+    else joint.cages.push_back(cage);
+    joint.startProof.reset();
+  });
+}
+
+bool removePartCage(Document& document, const std::string& part) {
+  if (!findCage(document.joint(), part)) return false;
+  return change(document, PartEdits::tr("Remove the cage around “%1”").arg(nameOf(document.joint(), part)),
+                [&](Scene& scene) { dropCage(scene.joint, part); });
+}
+
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture) {
+  const Cage* cage = findCage(document.joint(), part);
+  if (!cage || cage->moved_W.size() != moved_W.size() || cage->moved_W == moved_W) return false;
+  return change(document, PartEdits::tr("Move handles around “%1”").arg(nameOf(document.joint(), part)), [&](Scene& scene) {
+    for (Cage& each : scene.joint.cages)
+      if (each.part == part) each.moved_W = moved_W;
+    scene.joint.startProof.reset();
+  }, gesture);
+}
+
+}  // namespace glenoid

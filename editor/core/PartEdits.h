@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QString>
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "editor/core/Document.h"
+
+/// What an author does to parts, materials, contact pairs and cages: each function is one undo step on the document, or
+/// does nothing and answers false (an id is unknown or taken, a reference leads nowhere, or the value is the same).
+/// Regions and couplings are in AuthorEdits. SI units. GUI thread only.
+namespace glenoid {
+
+bool renamePart(Document& document, const std::string& part, const QString& name);
+/// Parts stay in the order of their numbers. Not a number that another part has.
+bool setPartNumber(Document& document, const std::string& part, int number);
+/// Soft needs a volume that is there; rigid lets volume, cell size and cage go.
+bool setPartKind(Document& document, const std::string& part, PartKind kind, std::shared_ptr<const TetMesh> volume = {},
+                 double cellSize = 0);
+/// sRGB, 0…1.
+bool setPartColor(Document& document, const std::string& part, const std::array<float, 3>& color);
+/// First: default, for the whole part.
+bool setPartMaterials(Document& document, const std::string& part, const std::vector<MaterialUse>& materials);
+/// Behind all others; its id must be free.
+bool addPart(Document& document, const Part& part);
+/// With everything that refers to it: couplings, exclusions, sides of bursae, its cage, and what the scenario says of it.
+bool removePart(Document& document, const std::string& part);
+
+/// Meshes. Regions on a surface that is replaced are kept only where all their triangles still exist; couplings,
+/// materials and bursae that need one that went go with it.
+bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh);
+bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize);
+
+bool addMaterial(Document& document, const Material& material);
+/// All of its values; the id stays.
+bool setMaterial(Document& document, const Material& material, const QString& gesture = {});
+/// Not while a part has it.
+bool removeMaterial(Document& document, const std::string& material);
+
+bool addExclusion(Document& document, const Exclusion& exclusion);
+bool removeExclusion(Document& document, const std::string& partA, const std::string& partB);
+
+/// Around a soft part, in the place of the one it had. Drops the proof of the start, as all that moves it does.
+bool putPartCage(Document& document, const Cage& cage);
+bool removePartCage(Document& document, const std::string& part);
+/// Where the handles stand, as many as the cage has. A drag is one step until Document::endGesture().
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture = {});
+
+}  // namespace glenoid

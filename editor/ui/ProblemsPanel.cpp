@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/ui/ProblemsPanel.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "editor/core/ProblemSentences.h"
+#include "editor/ui/Theme.h"
+#include "simcore/check/FixProblem.h"
+
+namespace glenoid {
+namespace {
+
+QString iconOf(Severity severity) {
+  switch (severity) {
+    case Severity::Error: return QStringLiteral("problem-error");
+    case Severity::Warning: return QStringLiteral("problem-warning");
+    case Severity::Note: break;
+  }
+  return QStringLiteral("problem-note");
+}
+
+std::set<std::string> partsOf(const Problem& problem) {
+  std::set<std::string> parts(problem.parts.begin(), problem.parts.end());
+  if (!problem.part.empty()) parts.insert(problem.part);
+  if (problem.kind != ProblemKind::NoMaterial && !problem.other.empty()) parts.insert(problem.other);
+  return parts;
+}
+
+}  // namespace
+
+ProblemsPanel::ProblemsPanel(Document& document, ProblemWatch& watch, QWidget* parent)
+    : QWidget(parent), m_document(document), m_watch(watch) {
+  m_summary = new QLabel;
+  m_summary->setObjectName(QStringLiteral("problemSummary"));
+  m_summary->setWordWrap(true);
+  m_list = new QListWidget;
+  m_list->setObjectName(QStringLiteral("problemList"));
+  m_list->setWordWrap(true);
+  m_list->setTextElideMode(Qt::ElideNone);
+  m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_fix = new QPushButton;
+  m_fix->setObjectName(QStringLiteral("fixProblem"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->addWidget(m_summary);
+  layout->addWidget(m_list, 1);
+  layout->addWidget(m_fix);
+  connect(&watch, &ProblemWatch::changed, this, &ProblemsPanel::rebuild);
+  connect(&watch, &ProblemWatch::checkingChanged, this, &ProblemsPanel::refresh);
+  connect(m_list, &QListWidget::currentRowChanged, this, &ProblemsPanel::refresh);
+  connect(m_list, &QListWidget::itemActivated, this, [this] {
+    if (const Problem* problem = current()) emit showWanted(partsOf(*problem));
+  });
+  connect(m_fix, &QPushButton::clicked, this, [this] {
+    if (const Problem* problem = current()) m_watch.fix(*problem);
+  });
+  rebuild();
+}
+
+const Problem* ProblemsPanel::current() const {
+  const int row = m_list->currentRow();
+  return row < 0 || row >= static_cast<int>(m_watch.problems().size()) ? nullptr : &m_watch.problems()[row];
+}
+
+void ProblemsPanel::rebuild() {
+  const int row = m_list->currentRow();
+  {
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const Problem& problem : m_watch.problems()) {
+      const QString sentence = sentenceOf(problem, m_document.joint());
+      auto* item = new QListWidgetItem(themedTreeIcon(iconOf(problem.severity)), sentence, m_list);
+      item->setToolTip(severityName(problem.severity));
+      item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(severityName(problem.severity), sentence));
+    }
+    m_list->setCurrentRow(std::min(row, m_list->count() - 1));
+  }
+  refresh();
+}
+
+void ProblemsPanel::refresh() {
+  m_list->setAccessibleName(tr("Problems of the joint"));
+  const CheckReport& report = m_watch.report();
+  QString summary;
+  if (m_watch.isChecking()) {
+    summary = tr("Looking for problems…");
+  } else if (m_document.isEmpty()) {
+    summary = tr("No scene is open.");
+  } else if (report.problems.empty()) {
+    summary = tr("No problems were found.");
+  } else {
+    summary = QStringList{tr("%n error(s)", nullptr, report.count(Severity::Error)),
+                          tr("%n warning(s)", nullptr, report.count(Severity::Warning)),
+                          tr("%n note(s)", nullptr, report.count(Severity::Note))}
+                  .join(tr(", "));
+  }
+  m_summary->setText(summary);
+  const Problem* problem = current();
+  const QString fix = problem ? fixTitleOf(*problem, m_document.joint()) : QString();
+  // What was found before the last change may be gone already.
+  m_fix->setEnabled(!fix.isEmpty() && !m_watch.isChecking());
+  m_fix->setText(fix.isEmpty() ? tr("Fix") : tr("Fix: %1").arg(fix));
+  m_fix->setToolTip(problem && fix.isEmpty() ? tr("This one needs your judgement.") : QString());
+}
+
+void ProblemsPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) rebuild();
+  QWidget::changeEvent(event);
+}
+
+}  // namespace glenoid

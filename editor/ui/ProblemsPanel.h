@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QWidget>
+#include <set>
+#include <string>
+
+#include "editor/core/ProblemWatch.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+
+namespace glenoid {
+
+/// The problem list: an icon and a sentence for each, the worst first. Activating one (double click, Enter) asks for its
+/// parts to be shown; the button does its quick fix as one undo step. Shows and forwards; what is wrong comes from
+/// ProblemWatch.
+class ProblemsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  ProblemsPanel(Document& document, ProblemWatch& watch, QWidget* parent = nullptr);
+
+ signals:
+  void showWanted(const std::set<std::string>& parts);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  const Problem* current() const;
+  void rebuild();
+  void refresh();
+
+  Document& m_document;
+  ProblemWatch& m_watch;
+  QLabel* m_summary;
+  QListWidget* m_list;
+  QPushButton* m_fix;
+};
+
+}  // namespace glenoid

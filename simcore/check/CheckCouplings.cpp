@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "simcore/check/CheckParts.h"
+#include "simcore/coupling/Islands.h"
+#include "simcore/coupling/Springs.h"
+#include "simcore/spatial/TriangleTree.h"
+
+namespace glenoid::check {
+namespace {
+
+/// Two parts that are joined over more of the smaller one's surface than this rub against each other for nothing.
+constexpr double kLargeBond = 0.25;
+
+double areaOfSurface(const TriMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles)
+    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+  return area;
+}
+
+bool regionFits(const Part& part, const Region& region) {
+  const auto& mesh = region.surface == SurfaceKind::Visual ? part.visual : part.collision;
+  if (!mesh) return false;
+  const long size = static_cast<long>(mesh->triangles.size());
+  return std::all_of(region.triangles.begin(), region.triangles.end(), [&](const TriangleRun& run) {
+    return run.first >= 0 && run.count > 0 && static_cast<long>(run.first) + run.count <= size;
+  });
+}
+
+bool isExcluded(const Joint& joint, const std::string& a, const std::string& b) {
+  return std::any_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
+    return (e.partA == a && e.partB == b) || (e.partA == b && e.partB == a);
+  });
+}
+
+double distanceBetween(const Part& a, const Part& b) {
+  const TriangleTree tree(*b.collision);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& vertex : a.collision->vertices) least = std::min(least, tree.closest(vertex, least).distance);
+  return least;
+}
+
+double nearestOther(const Work& work, std::size_t part) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t other = 0; other < work.joint.parts.size(); ++other)
+    if (other != part && work.surfaces[other] && work.surfaces[part])
+      least = std::min(least, distanceBetween(work.joint.parts[part], work.joint.parts[other]));
+  return least;
+}
+
+}  // namespace
+
+void checkCouplings(Work& work) {
+  const Joint& joint = work.joint;
+  std::vector<CoupledPart> parts;
+  for (const Part& part : joint.parts) parts.push_back({&part, Vec3::Zero()});
+  std::map<std::pair<int, int>, double> bonded;  // m², by parts, the lower index first
+  int least = std::numeric_limits<int>::max();
+  work.report.couplings = static_cast<int>(joint.couplings.size());
+  for (std::size_t c = 0; c < joint.couplings.size() && work.goesOn(); ++c) {
+    const Coupling& coupling = joint.couplings[c];
+    const int a = findPart(joint, coupling.partA), b = findPart(joint, coupling.partB);
+    const Region* region = a < 0 ? nullptr : findRegion(joint.parts[a], coupling.regionA);
+    if (a < 0 || b < 0 || a == b || !region || !regionFits(joint.parts[a], *region)) {
+      Problem& problem = work.add(ProblemKind::CouplingBroken, Severity::Error, a < 0 ? std::string() : coupling.partA);
+      problem.coupling = coupling.id;
+      problem.region = coupling.regionA;
+      problem.other = coupling.partB;
+      continue;
+    }
+    if (!work.usable[a] || !work.usable[b]) continue;
+    const auto springs = deriveSprings(joint, static_cast<int>(c), parts);
+    int count = 0;
+    if (springs) {
+      count = static_cast<int>(springs->size());
+      bonded[std::minmax(a, b)] += areaOf(joint.parts[a], *region);
+    } else {
+      if (!springs.error().arguments.empty()) count = std::atoi(springs.error().arguments[0].c_str());
+      Problem& problem = work.add(ProblemKind::TooFewSprings, Severity::Error, coupling.partA);
+      problem.coupling = coupling.id;
+      problem.region = coupling.regionA;
+      problem.other = coupling.partB;
+      problem.count = count;
+    }
+    least = std::min(least, count);
+  }
+  work.report.springsMin = least == std::numeric_limits<int>::max() ? 0 : least;
+  for (const auto& [pair, area] : bonded) {
+    const Part &a = joint.parts[pair.first], &b = joint.parts[pair.second];
+    if (isExcluded(joint, a.id, b.id)) continue;
+    const double areaA = areaOfSurface(*a.visual), areaB = areaOfSurface(*b.visual);
+    const double share = area / std::min(areaA, areaB);
+    if (share < kLargeBond) continue;
+    Problem& problem = work.add(ProblemKind::BondedCollision, Severity::Note, areaA <= areaB ? a.id : b.id);
+    problem.other = areaA <= areaB ? b.id : a.id;
+    problem.figure = std::min(share, 1.0);
+  }
+}
+
+void checkIslands(Work& work) {
+  const Joint& joint = work.joint;
+  const std::size_t count = joint.parts.size();
+  std::vector<bool> isFree(count, true);
+  std::vector<char> stays(count, 0);
+  std::set<std::string> fixed, held;
+  if (work.scenario) {
+    fixed.insert(work.scenario->fixedParts.begin(), work.scenario->fixedParts.end());
+    for (const Hold& hold : work.scenario->holds) held.insert(hold.part);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Part& part = joint.parts[i];
+    if (!work.scenario) {
+      stays[i] = part.kind == PartKind::Rigid;
+    } else {
+      isFree[i] = !fixed.count(part.id);
+      stays[i] = !isFree[i] || held.count(part.id);
+    }
+  }
+  std::vector<std::array<int, 2>> joined;
+  std::vector<char> coupled(count, 0);
+  for (const Coupling& coupling : joint.couplings) {
+    const int a = findPart(joint, coupling.partA), b = findPart(joint, coupling.partB);
+    if (a < 0 || b < 0 || a == b) continue;
+    joined.push_back({a, b});
+    coupled[a] = coupled[b] = 1;
+    if (stays[a] && !isFree[a]) stays[b] = 1;  // a fixed part joins no island, and holds what hangs on it
+    if (stays[b] && !isFree[b]) stays[a] = 1;
+  }
+  for (const std::vector<int>& island : findCouplingIslands(isFree, joined).objects) {
+    if (std::any_of(island.begin(), island.end(), [&](int part) { return stays[part]; })) continue;
+    if (!work.goesOn()) return;
+    const Part& first = joint.parts[island[0]];
+    if (island.size() == 1) {
+      work.add(ProblemKind::PartLoose, Severity::Warning, first.id).figure = nearestOther(work, island[0]);
+      continue;
+    }
+    Problem& problem = work.add(ProblemKind::IslandLoose, Severity::Warning, first.id);
+    problem.count = static_cast<long>(island.size());
+    for (const int part : island) problem.parts.push_back(joint.parts[part].id);
+  }
+}
+
+}  // namespace glenoid::check

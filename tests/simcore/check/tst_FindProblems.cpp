@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each fault, put into a joint that has none, is found, and named where it is.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "simcore/scene/JointFile.h"
+#include "tests/simcore/check/Faults.h"
+
+namespace glenoid {
+namespace {
+
+std::string listed(const std::vector<Problem>& problems) {
+  std::string text;
+  for (const Problem& p : problems) text += std::string(problemName(p.kind)) + " " + p.part + " " + p.other + "\n";
+  return text;
+}
+
+TEST(FindProblems, aSoundJointHasNone) {
+  const auto problems = findProblems(soundJoint());
+  EXPECT_TRUE(problems.empty()) << listed(problems);
+}
+
+TEST(FindProblems, theShippedJointsHaveNoErrors) {
+  for (const char* name : {"shoulder", "shoulder-superficial"}) {
+    const auto joint = loadJoint(std::string(GLENOID_SOURCE_DIR "/resources/joints/") + name + ".joint");
+    ASSERT_TRUE(joint.ok()) << toLogLine(joint.error());
+    const auto report = ProblemFinder().find(*joint);
+    ASSERT_TRUE(report.ok());
+    EXPECT_TRUE(report->holds()) << name << "\n" << listed(report->problems);
+    EXPECT_EQ(report->count(Severity::Warning), 0) << name << "\n" << listed(report->problems);
+    EXPECT_EQ(report->surfaces.size(), 2 * joint->parts.size());
+    EXPECT_GE(report->springsMin, 4);
+  }
+}
+
+TEST(FindProblems, everyKindHasItsOwnName) {
+  std::set<std::string> names;
+  for (int i = 0; i < kProblemKindCount; ++i) {
+    const std::string name = problemName(static_cast<ProblemKind>(i));
+    EXPECT_FALSE(name.empty()) << i;
+    EXPECT_TRUE(names.insert(name).second) << name;
+  }
+}
+
+TEST(FindProblems, aJointInMillimetresAndOnePartAmongMetres) {
+  Joint joint = soundJoint();
+  for (Part& part : joint.parts) {
+    changeMesh(part.visual, [](TriMesh& m) { for (Vec3& x : m.vertices) x *= 1e3; });
+    changeMesh(part.collision, [](TriMesh& m) { for (Vec3& x : m.vertices) x *= 1e3; });
+    if (part.volume) changeMesh(part.volume, [](TetMesh& m) { for (Vec3& x : m.nodes) x *= 1e3; });
+  }
+  const auto whole = findProblems(joint);
+  const Problem* unit = problemOf(whole, ProblemKind::UnitOfJoint);
+  ASSERT_NE(unit, nullptr) << listed(whole);
+  EXPECT_EQ(unit->wanted, 1e-3);
+  EXPECT_FALSE(has(whole, ProblemKind::UnitOfPart));
+
+  Joint mixed = soundJoint();
+  Part& part = mixed.parts[2];
+  changeMesh(part.visual, [](TriMesh& m) { for (Vec3& x : m.vertices) x *= 1e3; });
+  changeMesh(part.collision, [](TriMesh& m) { for (Vec3& x : m.vertices) x *= 1e3; });
+  const auto one = findProblems(mixed);
+  unit = problemOf(one, ProblemKind::UnitOfPart);
+  ASSERT_NE(unit, nullptr) << listed(one);
+  EXPECT_EQ(unit->part, part.id);
+  EXPECT_EQ(unit->wanted, 1e-3);
+  EXPECT_FALSE(has(one, ProblemKind::UnitOfJoint));
+}
+
+TEST(FindProblems, surfacesThatAreOpenInwardsTangledOrCutThemselves) {
+  Joint joint = soundJoint();
+  const std::string id = joint.parts[0].id;
+  changeMesh(joint.parts[0].collision, [](TriMesh& m) { m.triangles.pop_back(); });
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::SurfaceOpen, id)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SurfaceOpen)->count, 3);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SurfaceOpen)->surface, SurfaceKind::Collision);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SurfaceOpen)->severity, Severity::Error);
+
+  joint = soundJoint();
+  changeMesh(joint.parts[0].visual, [](TriMesh& m) { for (auto& t : m.triangles) std::swap(t[0], t[1]); });
+  problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::SurfaceInwards, id)) << listed(problems);
+  EXPECT_LT(problemOf(problems, ProblemKind::SurfaceInwards)->figure, 0);
+
+  joint = soundJoint();
+  changeMesh(joint.parts[0].visual, [](TriMesh& m) { std::swap(m.triangles[0][0], m.triangles[0][1]); });
+  problems = findProblems(joint);
+  EXPECT_TRUE(has(problems, ProblemKind::SurfaceTangled, id)) << listed(problems);
+
+  // A vertex pulled through the other side.
+  joint = soundJoint();
+  changeMesh(joint.parts[0].collision, [](TriMesh& m) {
+    const Box3 box = boundsOf(m);
+    for (Vec3& x : m.vertices)
+      if (x.y() > box.max().y() - 1e-9 && (x - box.center()).head<1>().norm() < 1e-6 && std::abs(x.z() - box.center().z()) < 1e-6)
+        x.y() = box.min().y() - box.sizes().y();
+  });
+  problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::SurfaceCutsItself, id)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SurfaceCutsItself)->severity, Severity::Error);
+}
+
+TEST(FindProblems, meshesThatCannotBeUsedAreNamedAndNothingTripsOverThem) {
+  const auto wrong = [](auto change, ProblemKind kind) {
+    Joint joint = soundJoint();
+    change(joint);
+    const auto problems = findProblems(joint);
+    EXPECT_TRUE(has(problems, kind)) << listed(problems);
+  };
+  wrong([](Joint& j) { j.parts[0].visual.reset(); }, ProblemKind::NoSurface);
+  wrong([](Joint& j) { j.parts[0].collision = std::make_shared<TriMesh>(); }, ProblemKind::NoSurface);
+  wrong([](Joint& j) { changeMesh(j.parts[0].visual, [](TriMesh& m) { m.triangles[3][1] = 1 << 30; }); }, ProblemKind::NoSurface);
+  wrong([](Joint& j) { changeMesh(j.parts[0].visual, [](TriMesh& m) { m.vertices[2].x() = NAN; }); }, ProblemKind::NoSurface);
+  wrong([](Joint& j) { softPart(j).volume.reset(); }, ProblemKind::NoVolume);
+  wrong([](Joint& j) { changeMesh(softPart(j).volume, [](TetMesh& m) { m.tets[0][0] = -1; }); }, ProblemKind::NoVolume);
+  wrong([](Joint& j) { j.parts.clear(); }, ProblemKind::CouplingBroken);
+}
+
+TEST(FindProblems, tetrahedraThatAreInvertedOrFlat) {
+  Joint joint = soundJoint();
+  changeMesh(softPart(joint).volume, [](TetMesh& m) { std::swap(m.tets[4][0], m.tets[4][1]); });
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::InvertedTetrahedra)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::InvertedTetrahedra)->count, 1);
+  EXPECT_EQ(problemOf(problems, ProblemKind::InvertedTetrahedra)->element, 4);
+  EXPECT_LT(problemOf(problems, ProblemKind::InvertedTetrahedra)->figure, 0);
+  EXPECT_FALSE(has(problems, ProblemKind::FlatTetrahedra));
+
+  joint = soundJoint();
+  changeMesh(softPart(joint).volume, [](TetMesh& m) { m.tets[2][3] = m.tets[2][2]; });
+  problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::FlatTetrahedra)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::FlatTetrahedra)->element, 2);
+}
+
+TEST(FindProblems, aMaterialThatIsMissing) {
+  Joint joint = soundJoint();
+  joint.parts[0].materials.clear();
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::NoMaterial, joint.parts[0].id)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::NoMaterial)->other, "bone") << "the other rigid part's";
+  joint = soundJoint();
+  softPart(joint).materials[0].material = "cheese";
+  problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::NoMaterial)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::NoMaterial)->material, "cheese");
+  EXPECT_EQ(problemOf(problems, ProblemKind::NoMaterial)->other, "") << "no other soft part to take it from";
+}
+
+TEST(FindProblems, couplingsThatAreBrokenOrTooSmall) {
+  Joint joint = soundJoint();
+  joint.couplings[0].regionA = "nowhere";
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::CouplingBroken)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::CouplingBroken)->coupling, joint.couplings[0].id);
+
+  joint = soundJoint();
+  Part& part = joint.parts[findPart(joint, joint.couplings[0].partA)];
+  for (Region& region : part.regions)
+    if (region.id == joint.couplings[0].regionA) region.triangles.clear();
+  problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::TooFewSprings)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::TooFewSprings)->count, 0);
+}
+
+TEST(FindProblems, aLargeBondWithContactIsNoted) {
+  Joint joint = scenes::figure4Joint();  // without the exclusions
+  const auto problems = findProblems(joint);
+  Joint excluded = soundJoint();
+  EXPECT_FALSE(has(findProblems(excluded), ProblemKind::BondedCollision));
+  // A face of a box is a sixth of it at least; make the bond three faces wide.
+  Part& part = joint.parts[findPart(joint, joint.couplings[0].partA)];
+  for (Region& region : part.regions)
+    if (region.id == joint.couplings[0].regionA) region.triangles = {{0, static_cast<int>(part.visual->triangles.size()) / 2}};
+  const auto wide = findProblems(joint);
+  ASSERT_TRUE(has(wide, ProblemKind::BondedCollision)) << listed(wide);
+  EXPECT_EQ(problemOf(wide, ProblemKind::BondedCollision)->severity, Severity::Note);
+  EXPECT_GT(problemOf(wide, ProblemKind::BondedCollision)->figure, 0.25);
+}
+
+TEST(FindProblems, whatNothingHolds) {
+  Joint joint = soundJoint();
+  const std::string soft = softPart(joint).id;
+  joint.couplings.clear();
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::PartLoose, soft)) << listed(problems);
+  EXPECT_LT(problemOf(problems, ProblemKind::PartLoose)->figure, 1e-9) << "it touches its neighbours";
+  EXPECT_EQ(problems.size(), 1u) << "bones stay where no scenario says otherwise\n" << listed(problems);
+
+  // With a scenario that fixes part 1 the rest hangs on it; where it fixes part 3's copy alone nothing holds the others.
+  joint = soundJoint();
+  const Scenario fixes = scenes::figure4Scenario();
+  EXPECT_TRUE(findProblems(joint, &fixes).empty()) << listed(findProblems(joint, &fixes));
+  Part away = joint.parts[0];
+  away.id = "away";
+  away.number = 99;
+  for (auto* mesh : {&away.visual, &away.collision})
+    changeMesh(*mesh, [](TriMesh& m) { for (Vec3& x : m.vertices) x.y() += 0.5; });
+  joint.parts.push_back(away);
+  Scenario other = fixes;
+  other.fixedParts = {"away"};
+  problems = findProblems(joint, &other);
+  ASSERT_TRUE(has(problems, ProblemKind::IslandLoose)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::IslandLoose)->parts.size(), 3u);
+  Hold hold;
+  hold.part = joint.parts[0].id;
+  other.holds = {hold};
+  EXPECT_FALSE(has(findProblems(joint, &other), ProblemKind::IslandLoose)) << "a hold is enough";
+}
+
+TEST(FindProblems, overlapsAtTheStartWithTheirDepth) {
+  Joint joint = scenes::blockOnPlateJoint();
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::Overlap)) << listed(findProblems(joint));
+  Part& block = softPart(joint);
+  const auto lower = [](auto& points) { for (Vec3& x : points) x.y() -= 2.5e-3; };  // it stood 0.5 mm above
+  changeMesh(block.visual, [&](TriMesh& m) { lower(m.vertices); });
+  changeMesh(block.collision, [&](TriMesh& m) { lower(m.vertices); });
+  changeMesh(block.volume, [&](TetMesh& m) { lower(m.nodes); });
+  const auto problems = findProblems(joint);
+  const Problem* overlap = problemOf(problems, ProblemKind::Overlap);
+  ASSERT_NE(overlap, nullptr) << listed(problems);
+  EXPECT_EQ(overlap->severity, Severity::Error);
+  EXPECT_GT(overlap->count, 0);
+  EXPECT_NEAR(overlap->figure, 2e-3, 1e-9);
+  EXPECT_EQ(overlap->parts, std::vector<std::string>{block.id});
+  joint.exclusions.push_back({joint.parts[0].id, joint.parts[1].id, "for the test"});
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::Overlap)) << "they may not collide";
+}
+
+TEST(FindProblems, aPartInsideAnotherIsFoundWithoutACut) {
+  Joint joint = soundJoint();
+  Part inner = joint.parts[0];
+  inner.id = "inner";
+  inner.number = 77;
+  for (auto* mesh : {&inner.visual, &inner.collision})
+    changeMesh(*mesh, [](TriMesh& m) {
+      const Vec3 centre = boundsOf(m).center();
+      for (Vec3& x : m.vertices) x = centre + 0.25 * (x - centre);
+    });
+  joint.parts.push_back(inner);
+  const auto problems = findProblems(joint);
+  const Problem* swallowed = problemOf(problems, ProblemKind::Swallowed);
+  ASSERT_NE(swallowed, nullptr) << listed(problems);
+  EXPECT_EQ(swallowed->part, "inner");
+  EXPECT_EQ(swallowed->other, joint.parts[0].id);
+}
+
+TEST(FindProblems, aCageThatCrushesOrTurnsTetrahedra) {
+  Joint joint = soundJoint();
+  Cage cage = boxCage(softPart(joint), 2e-3);
+  joint.cages = {cage};
+  EXPECT_TRUE(has(findProblems(joint), ProblemKind::ProofMissing)) << "free of overlap, and nobody says so";
+  const Box3 box = boundsOf(*softPart(joint).visual);
+  const auto squeezed = [&](double to) {
+    Joint moved = joint;
+    for (Vec3& handle : moved.cages[0].moved_W) handle.y() = box.center().y() + to * (handle.y() - box.center().y());
+    return findProblems(moved);
+  };
+  EXPECT_FALSE(has(squeezed(0.5), ProblemKind::CageCrushes));
+  const auto flat = squeezed(0.05);
+  ASSERT_TRUE(has(flat, ProblemKind::CageCrushes)) << listed(flat);
+  EXPECT_EQ(problemOf(flat, ProblemKind::CageCrushes)->severity, Severity::Warning);
+  EXPECT_NEAR(problemOf(flat, ProblemKind::CageCrushes)->figure, 0.05, 1e-6) << "an affine squeeze keeps its share everywhere";
+  const auto turned = squeezed(-0.5);
+  ASSERT_TRUE(has(turned, ProblemKind::CageCrushes)) << listed(turned);
+  EXPECT_EQ(problemOf(turned, ProblemKind::CageCrushes)->severity, Severity::Error);
+
+  joint.cages[0].triangles.pop_back();
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::CageUnusable)) << "as long as it is not moved nothing is asked of it";
+  joint.cages[0].moved_W[0].y() += 1e-3;
+  EXPECT_TRUE(has(findProblems(joint), ProblemKind::CageUnusable));
+}
+
+TEST(FindProblems, aProofOfOtherMeshesIsStale) {
+  Joint joint = soundJoint();
+  joint.startProof = StartProof{startHash(joint), 0, 0, 0, 1};
+  EXPECT_TRUE(findProblems(joint).empty());
+  joint.exclusions.pop_back();
+  EXPECT_TRUE(has(findProblems(joint), ProblemKind::ProofStale));
+}
+
+TEST(FindProblems, whatElseKeepsItFromBeingSavedIsSaid) {
+  Joint joint = soundJoint();
+  joint.parts[1].number = joint.parts[0].number;
+  const auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::Unsound)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::Unsound)->error->fault, Fault::DuplicateId);
+}
+
+TEST(FindProblems, stopsWhenAskedTo) {
+  int asked = 0;
+  const auto stopped = ProblemFinder().find(soundJoint(), nullptr, [&] { return ++asked < 3; });
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().fault, Fault::Cancelled);
+  EXPECT_EQ(asked, 3);
+}
+
+TEST(FindProblems, remembersMeshesBetweenChecks) {
+  ProblemFinder finder;
+  Joint joint = soundJoint();
+  changeMesh(joint.parts[0].visual, [](TriMesh& m) { m.triangles.pop_back(); });
+  EXPECT_TRUE(has(finder.find(joint)->problems, ProblemKind::SurfaceOpen));
+  EXPECT_TRUE(has(finder.find(joint)->problems, ProblemKind::SurfaceOpen)) << "the second look says the same";
+  EXPECT_FALSE(has(finder.find(soundJoint())->problems, ProblemKind::SurfaceOpen));
+}
+
+}  // namespace
+}  // namespace glenoid

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each quick fix removes its problem, brings no other, and changes nothing else.
+#include "simcore/check/FixProblem.h"
+
+#include <gtest/gtest.h>
+
+#include "simcore/author/Overlaps.h"
+#include "simcore/check/ScaleJoint.h"
+#include "simcore/scene/JointFile.h"
+#include "tests/simcore/check/Faults.h"
+
+namespace glenoid {
+namespace {
+
+/// The joint after the first problem of this kind is fixed; the problem must be gone and no error may have come.
+Joint fixedJoint(const Joint& joint, ProblemKind kind) {
+  const auto problems = findProblems(joint);
+  const Problem* problem = problemOf(problems, kind);
+  EXPECT_NE(problem, nullptr) << problemName(kind);
+  if (!problem) return joint;
+  EXPECT_TRUE(canFix(*problem)) << problemName(kind);
+  const std::string before = jointHash(joint);
+  const auto fixed = fixProblem(joint, *problem);
+  EXPECT_TRUE(fixed.ok()) << problemName(kind) << ": " << toLogLine(fixed.error());
+  if (!fixed.ok()) return joint;
+  EXPECT_EQ(jointHash(joint), before) << "the old joint is a value of its own";
+  EXPECT_EQ(jointHash(*fixed), jointHash(*fixProblem(joint, *problem))) << "the same again";
+  const auto after = findProblems(*fixed);
+  EXPECT_FALSE(has(after, kind, problem->part)) << problemName(kind);
+  for (const Problem& p : after) EXPECT_NE(p.severity, Severity::Error) << problemName(kind) << " left " << problemName(p.kind);
+  return *fixed;
+}
+
+TEST(FixProblem, unitsOfTheWholeAndOfOnePart) {
+  const Joint sound = soundJoint();
+  const Joint back = fixedJoint(scaledJoint(sound, 1e3), ProblemKind::UnitOfJoint);
+  EXPECT_NEAR(boundsOf(*back.parts[1].visual).sizes().norm(), boundsOf(*sound.parts[1].visual).sizes().norm(), 1e-12);
+  EXPECT_NEAR(back.parts[1].cellSize, sound.parts[1].cellSize, 1e-12);
+  const Joint one = fixedJoint(withScaledPart(sound, sound.parts[2].id, 1e3), ProblemKind::UnitOfPart);
+  EXPECT_EQ(one.parts[1].visual, sound.parts[1].visual) << "the other parts keep their meshes";
+}
+
+TEST(FixProblem, scalingKeepsSharedMeshesShared) {
+  Joint joint = soundJoint();
+  joint.parts[0].collision = joint.parts[0].visual;
+  const Joint scaled = scaledJoint(joint, 2);
+  EXPECT_EQ(scaled.parts[0].collision, scaled.parts[0].visual);
+}
+
+TEST(FixProblem, surfacesAndTetrahedraAreTurned) {
+  const Joint sound = soundJoint();
+  Joint joint = sound;
+  changeMesh(joint.parts[0].visual, [](TriMesh& m) { for (auto& t : m.triangles) std::swap(t[1], t[2]); });
+  const Joint turned = fixedJoint(joint, ProblemKind::SurfaceInwards);
+  EXPECT_GT(enclosedVolume(*turned.parts[0].visual), 0);
+  joint = sound;
+  changeMesh(softPart(joint).volume, [](TetMesh& m) {
+    for (std::size_t t = 0; t < m.tets.size(); t += 3) std::swap(m.tets[t][0], m.tets[t][1]);
+  });
+  fixedJoint(joint, ProblemKind::InvertedTetrahedra);
+}
+
+TEST(FixProblem, aMissingMaterialBecomesThatOfItsKind) {
+  Joint joint = soundJoint();
+  joint.parts[0].materials = {{"cheese", ""}};
+  EXPECT_EQ(fixedJoint(joint, ProblemKind::NoMaterial).parts[0].materials, (std::vector<MaterialUse>{{"bone", ""}}));
+  softPart(joint).materials.clear();
+  joint.parts[0].materials = {{"bone", ""}};
+  const auto problems = findProblems(joint);
+  EXPECT_FALSE(canFix(*problemOf(problems, ProblemKind::NoMaterial))) << "no other soft part to take it from";
+}
+
+TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
+  Joint joint = soundJoint();
+  joint.couplings[0].partB = "nobody";
+  EXPECT_EQ(fixedJoint(joint, ProblemKind::CouplingBroken).couplings.size(), joint.couplings.size() - 1);
+
+  joint = soundJoint();  // a rigid side with one triangle has three points
+  Coupling& coupling = joint.couplings[0];
+  const int a = findPart(joint, coupling.partA);
+  if (joint.parts[a].kind == PartKind::Soft) {
+    Part& rigid = joint.parts[findPart(joint, coupling.partB)];
+    rigid.regions.push_back({"spot", "Spot", "other", SurfaceKind::Visual, {{0, 1}}});
+    std::swap(coupling.partA, coupling.partB);
+    coupling.regionA = "spot";
+  }
+  const std::string part = coupling.partA, region = coupling.regionA, id = coupling.id;
+  const Joint grown = fixedJoint(joint, ProblemKind::TooFewSprings);
+  EXPECT_GT(trianglesOf(*findRegion(grown.parts[findPart(grown, part)], region)).size(), 1u);
+
+  // A region that something else uses stays as it is.
+  Bursa bursa;
+  bursa.id = "sac";
+  bursa.floor = {{part, region}};
+  bursa.roof = {{softPart(joint).id, ""}};
+  joint.bursae = {bursa};
+  const Joint copied = fixedJoint(joint, ProblemKind::TooFewSprings);
+  EXPECT_EQ(trianglesOf(*findRegion(copied.parts[findPart(copied, part)], region)).size(), 1u);
+  for (const Coupling& c : copied.couplings)
+    if (c.id == id) {
+      EXPECT_EQ(c.regionA, region + "-grown");
+    }
+}
+
+TEST(FixProblem, contactOfABondIsSwitchedOff) {
+  Joint joint = soundJoint();
+  joint.exclusions.clear();
+  Part& part = joint.parts[findPart(joint, joint.couplings[0].partA)];
+  for (Region& region : part.regions)
+    if (region.id == joint.couplings[0].regionA) region.triangles = {{0, static_cast<int>(part.visual->triangles.size()) / 2}};
+  const auto problems = findProblems(joint);
+  const Problem* bond = problemOf(problems, ProblemKind::BondedCollision);
+  ASSERT_NE(bond, nullptr);
+  const auto fixed = fixProblem(joint, *bond);
+  ASSERT_TRUE(fixed.ok());
+  ASSERT_EQ(fixed->exclusions.size(), 1u);
+  EXPECT_NE(fixed->exclusions[0].reason.find('%'), std::string::npos);
+  EXPECT_FALSE(has(findProblems(*fixed), ProblemKind::BondedCollision, bond->part));
+}
+
+TEST(FixProblem, handlesAreMovedBackAsFarAsNeeded) {
+  Joint joint = soundJoint();
+  joint.cages = {boxCage(softPart(joint), 2e-3)};
+  const Box3 box = boundsOf(*softPart(joint).visual);
+  for (Vec3& handle : joint.cages[0].moved_W) handle.y() = box.center().y() + 0.05 * (handle.y() - box.center().y());
+  const Joint fixed = fixedJoint(joint, ProblemKind::CageCrushes);
+  EXPECT_NE(fixed.cages[0].moved_W, fixed.cages[0].rest_W) << "not farther than needed";
+  Joint broken = soundJoint();
+  broken.cages = {boxCage(softPart(broken), 2e-3)};
+  broken.cages[0].triangles.pop_back();
+  broken.cages[0].moved_W[0].y() += 1e-3;
+  EXPECT_TRUE(fixedJoint(broken, ProblemKind::CageUnusable).cages.empty());
+}
+
+TEST(FixProblem, overlapsAreSeparatedByCagesAndProven) {
+  Joint joint = scenes::blockOnPlateJoint();
+  Part& block = softPart(joint);
+  const auto lower = [](auto& points) { for (Vec3& x : points) x.y() -= 1.5e-3; };
+  changeMesh(block.visual, [&](TriMesh& m) { lower(m.vertices); });
+  changeMesh(block.collision, [&](TriMesh& m) { lower(m.vertices); });
+  changeMesh(block.volume, [&](TetMesh& m) { lower(m.nodes); });
+  const Joint fixed = fixedJoint(joint, ProblemKind::Overlap);
+  ASSERT_TRUE(fixed.startProof.has_value());
+  EXPECT_EQ(fixed.startProof->cuts, 0);
+  EXPECT_EQ(fixed.startProof->of, startHash(fixed));
+  // The same can be stopped, and then gives nothing.
+  const auto problems = findProblems(joint);
+  const auto stopped = fixProblem(joint, *problemOf(problems, ProblemKind::Overlap), [](double) { return false; });
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().fault, Fault::Cancelled);
+}
+
+TEST(FixProblem, theProofIsRecordedOrRenewed) {
+  Joint joint = scenes::blockOnPlateJoint();
+  joint.cages = {boxCage(softPart(joint), 2e-3)};
+  const Joint proven = fixedJoint(joint, ProblemKind::ProofMissing);
+  ASSERT_TRUE(proven.startProof.has_value());
+  EXPECT_EQ(proven.startProof->of, startHash(proven));
+  Joint stale = proven;
+  stale.cages[0].moved_W[0].y() += 1e-3;
+  EXPECT_EQ(fixedJoint(stale, ProblemKind::ProofStale).startProof->of, startHash(stale));
+}
+
+TEST(FixProblem, aJointThatChangedMeanwhileIsRefused) {
+  Joint joint = soundJoint();
+  joint.parts[0].materials.clear();
+  const auto problems = findProblems(joint);
+  Joint other = joint;
+  other.parts.erase(other.parts.begin());
+  const auto refused = fixProblem(other, *problemOf(problems, ProblemKind::NoMaterial));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().fault, Fault::Unusable);
+}
+
+}  // namespace
+}  // namespace glenoid
