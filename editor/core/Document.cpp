@@ -5,18 +5,21 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/FrozenScene.h"
 
 namespace glenoid {
 
 class Document::SwapCommand : public QUndoCommand {
  public:
-  SwapCommand(Document& document, const QString& text, Scene before, Scene after, ChangeSet changes,
-              QString gesture, int gestureNumber)
+  using Kept = std::shared_ptr<const FrozenScene>;
+
+  SwapCommand(Document& document, const QString& text, Kept before, Kept after, ChangeSet changes, QString gesture,
+              int gestureNumber)
       : QUndoCommand(text), m_document(document), m_before(std::move(before)), m_after(std::move(after)),
         m_changes(std::move(changes)), m_gesture(std::move(gesture)), m_gestureNumber(gestureNumber) {}
 
-  void undo() override { m_document.swap(m_before, m_changes); }
-  void redo() override { m_document.swap(m_after, m_changes); }
+  void undo() override { m_document.swap(m_before->thaw(), m_before, m_changes); }
+  void redo() override { m_document.swap(m_after->thaw(), m_after, m_changes); }
   int id() const override { return m_gesture.isEmpty() ? -1 : 1; }
 
   bool mergeWith(const QUndoCommand* other) override {
@@ -28,16 +31,18 @@ class Document::SwapCommand : public QUndoCommand {
 
  private:
   Document& m_document;
-  Scene m_before, m_after;
+  Kept m_before, m_after;
   ChangeSet m_changes;
   QString m_gesture;
   int m_gestureNumber;
 };
 
-Document::Document(QObject* parent) : QObject(parent) {}
+Document::Document(QObject* parent) : QObject(parent), m_frozen(FrozenScene::of(m_scene, nullptr)) {}
+Document::~Document() = default;
 
-void Document::swap(const Scene& scene, const ChangeSet& changes) {
-  m_scene = scene;
+void Document::swap(Scene scene, std::shared_ptr<const FrozenScene> frozen, const ChangeSet& changes) {
+  m_scene = std::move(scene);
+  m_frozen = std::move(frozen);
   emit changed(changes);
 }
 
@@ -47,7 +52,8 @@ void Document::open(Scene scene, const QString& path) {
   ++m_gestureNumber;
   ChangeSet all;
   all.everything = all.model = all.settings = true;
-  swap(scene, all);
+  auto frozen = FrozenScene::of(scene, nullptr);
+  swap(std::move(scene), std::move(frozen), all);
 }
 
 void Document::saved(const QString& path) {
@@ -59,7 +65,7 @@ void Document::saved(const QString& path) {
 void Document::edit(const QString& text, const ChangeSet& changes, const Edit& change, const QString& gesture) {
   Scene after = m_scene;
   change(after);
-  m_undo.push(new SwapCommand(*this, text, m_scene, std::move(after), changes, gesture, m_gestureNumber));
+  m_undo.push(new SwapCommand(*this, text, m_frozen, FrozenScene::of(after, m_frozen.get()), changes, gesture, m_gestureNumber));
 }
 
 void Document::setYoungsModulus(const std::string& material, double pascal) {

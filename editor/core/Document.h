@@ -14,6 +14,8 @@
 
 namespace glenoid {
 
+class FrozenScene;
+
 /// What the window works on: the two things that somebody authored, and the input that ships with them. Values;
 /// meshes are shared and never change.
 struct Scene {
@@ -35,6 +37,7 @@ class Document : public QObject {
   using Edit = std::function<void(Scene&)>;
 
   explicit Document(QObject* parent = nullptr);
+  ~Document() override;
 
   const Scene& scene() const { return m_scene; }
   const Joint& joint() const { return m_scene.joint; }
@@ -62,9 +65,10 @@ class Document : public QObject {
 
  private:
   class SwapCommand;
-  void swap(const Scene& scene, const ChangeSet& changes);
+  void swap(Scene scene, std::shared_ptr<const FrozenScene> frozen, const ChangeSet& changes);
 
   Scene m_scene;
+  std::shared_ptr<const FrozenScene> m_frozen;  ///< the same, as undo keeps it
   QString m_path;
   QUndoStack m_undo;
   int m_gestureNumber = 0;

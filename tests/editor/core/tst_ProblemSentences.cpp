@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/ProblemSentences.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "simcore/check/FixProblem.h"
+#include "tests/scenes/BlockScenes.h"
+
+namespace glenoid {
+namespace {
+
+Problem sample(ProblemKind kind) {
+  Problem problem;
+  problem.kind = kind;
+  problem.part = "block";
+  problem.other = kind == ProblemKind::NoMaterial ? "tissue" : "plate";
+  problem.coupling = "bond";
+  problem.region = "face";
+  problem.material = "cheese";
+  problem.surface = SurfaceKind::Collision;
+  problem.element = 7;
+  problem.count = 3;
+  problem.figure = 0.05;
+  problem.wanted = 0.001;
+  problem.parts = {"block", "plate"};
+  problem.error = Error{Fault::DuplicateId, {}, {"block"}, {}};
+  return problem;
+}
+
+TEST(ProblemSentences, everyKindHasItsOwnSentenceWithItsFigures) {
+  const Joint joint = scenes::blockOnPlateJoint();
+  std::set<QString> seen;
+  for (int i = 0; i < kProblemKindCount; ++i) {
+    const QString sentence = sentenceOf(sample(static_cast<ProblemKind>(i)), joint);
+    const char* name = problemName(static_cast<ProblemKind>(i));
+    EXPECT_GT(sentence.size(), 20) << name;
+    EXPECT_EQ(sentence.back(), u'.') << name << ": " << sentence.toStdString();
+    EXPECT_FALSE(sentence.contains(u"%1") || sentence.contains(u"%2") || sentence.contains(u"%3")) << sentence.toStdString();
+    EXPECT_TRUE(seen.insert(sentence).second) << "the same words for two kinds: " << sentence.toStdString();
+  }
+}
+
+TEST(ProblemSentences, everyFixHasATitleAndNothingElseDoes) {
+  const Joint joint = scenes::blockOnPlateJoint();
+  for (int i = 0; i < kProblemKindCount; ++i) {
+    const Problem problem = sample(static_cast<ProblemKind>(i));
+    const QString title = fixTitleOf(problem, joint);
+    EXPECT_EQ(title.isEmpty(), !canFix(problem)) << problemName(problem.kind);
+    EXPECT_FALSE(title.contains(u'%')) << title.toStdString();
+  }
+}
+
+TEST(ProblemSentences, namesAndLengthsAreForPeople) {
+  Joint joint = scenes::blockOnPlateJoint();
+  for (Part& part : joint.parts)
+    if (part.id == "block") part.name = "Block with %1 in it";
+  const std::string sentence = sentenceOf(sample(ProblemKind::Overlap), joint).toStdString();
+  EXPECT_NE(sentence.find("“Block with %1 in it”"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("50 mm"), std::string::npos) << sentence;
+}
+
+}  // namespace
+}  // namespace glenoid
