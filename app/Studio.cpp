@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/StudioScene.h"
+#include "editor/core/Autosave.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Language.h"
 #include "editor/ui/MainWindow.h"
@@ -53,9 +54,12 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   });
   window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   window.restoreState(settings.value(QStringLiteral("state")).toByteArray());
+  Autosave autosave(document, AutosaveSession::defaultRoot());
+  QObject::connect(&autosave, &Autosave::failed, &window, [&window](const Error& error) { window.showProblem(sentenceOf(error)); });
   window.show();
   window.activateWindow();
   window.openScene(QString::fromStdString(options.file.empty() ? "builtin:arthroscopy" : options.file));
+  window.offerRecovery(autosave.root());
   const int status = application.exec();
   settings.setValue(QStringLiteral("geometry"), window.saveGeometry());
   settings.setValue(QStringLiteral("state"), window.saveState());

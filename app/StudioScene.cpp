@@ -8,6 +8,34 @@
 #include "simcore/scene/ScenarioFile.h"
 
 namespace glenoid {
+namespace {
+
+/// Takes out what a scenario says of parts that are not, of the same kind, in the joint.
+void keepTo(const Joint& joint, const Joint& alsoIn, Scenario& scenario) {
+  const auto there = [&](const std::string& id) {
+    const int a = findPart(joint, id), b = findPart(alsoIn, id);
+    return a >= 0 && b >= 0 && joint.parts[a].kind == alsoIn.parts[b].kind;
+  };
+  std::erase_if(scenario.fixedParts, [&](const std::string& id) { return !there(id); });
+  std::erase_if(scenario.holds, [&](const Hold& hold) { return !there(hold.part); });
+  std::erase_if(scenario.loads, [&](const Load& load) { return !there(load.part); });
+  for (Tool& tool : scenario.tools) std::erase_if(tool.perforates, [&](const std::string& id) { return !there(id); });
+}
+
+/// Where the scenario on disk would not fit the joint that is about to be saved beside it, puts one there that fits both
+/// the old joint and the new one.
+Result<Done> bridgeScenario(const Joint& joint, const Scenario& scenario, const std::string& path, const std::string& jointFolder) {
+  const auto old = loadScenario(path);
+  if (!old || checkScenario(*old, joint, {})) return Done{};
+  const auto oldJoint = loadJoint(jointFolder);
+  if (!oldJoint) return Done{};  // nothing there that would have to be kept together
+  if (const auto good = checkJoint(joint, jointFolder); !good) return good;  // nothing is written where the joint is refused
+  Scenario bridge = scenario;
+  keepTo(joint, *oldJoint, bridge);
+  return saveScenario(bridge, path);
+}
+
+}  // namespace
 
 Result<Scene> loadScene(const std::string& word) {
   auto opened = openSceneOrJoint(word);
@@ -30,7 +58,10 @@ Result<Done> saveScene(const Scene& scene, const std::string& path) {
   scenario.joint = jointName;
   // What was relative to the old place would not be found from the new one; a built-in input is found anywhere.
   if (scenario.input.rfind("builtin:", 0) != 0) scenario.input.clear();
-  auto joint = saveJoint(scene.joint, (folder / jointName).string());
+  const std::string jointFolder = (folder / jointName).string();
+  // Two files cannot change at once. Should the program be killed between them, what lies there must still fit together.
+  if (const auto bridged = bridgeScenario(scene.joint, scenario, path, jointFolder); !bridged) return bridged;
+  auto joint = saveJoint(scene.joint, jointFolder);
   if (!joint.ok()) return joint.error();
   return saveScenario(scenario, path);
 }

@@ -424,6 +424,72 @@
     </message>
 </context>
 <context>
+    <name>glenoid::HistoryPanel</name>
+    <message>
+        <source>History of changes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it was opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::JobSystem</name>
+    <message>
+        <source>“%1” was dropped: the scene was changed in what it works on. Start it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::JobsBar</name>
+    <message>
+        <source>Stop this work; nothing will be changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop this work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the work is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation type="unfinished">%1: {1…?}</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (about %n minute(s) left)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (about %n second(s) left)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::LayersPanel</name>
     <message>
         <source>Visual</source>
@@ -855,6 +921,109 @@
         <source>&lt;p&gt;This is a training aid, not a medical device. Do not use it for diagnosis, for treatment or to plan an operation.&lt;/p&gt;&lt;p&gt;The method follows Otaduy, Garre, Gascón, Miguel, Pérez and Zurdo, “Modeling and Simulation of a Human Shoulder for Interactive Medical Applications”, CEIG 2010.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Esto es una ayuda para el entrenamiento, no un producto sanitario. No lo use para diagnosticar, para tratar ni para planificar una operación.&lt;/p&gt;&lt;p&gt;El método sigue a Otaduy, Garre, Gascón, Miguel, Pérez y Zurdo, «Modeling and Simulation of a Human Shoulder for Interactive Medical Applications», CEIG 2010.&lt;/p&gt;&lt;p&gt;Software libre bajo la Licencia Pública General de GNU, versión 3 o posterior.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Problems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Recover…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find unsaved work of a program that was closed or killed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no unsaved work to recover.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PartEdits</name>
+    <message>
+        <source>Rename “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make “%1” soft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make “%1” rigid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the materials of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the visual surface of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the collision surface of “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Embed “%1” in other cells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the material “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the material “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the material “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off contact between “%1” and “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch on contact between “%1” and “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put a cage around “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the cage around “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move handles around “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PartTree</name>
@@ -905,6 +1074,249 @@
     <message>
         <source>Soft parts</source>
         <translation>Partes blandas</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ProblemSentences</name>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>collision surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>visual surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest part is %1 m long, which no human joint is: its meshes are probably in another unit. Multiplied by %2 they would be metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is %2 m long, unlike the other parts: it is probably in another unit. Multiplied by %3 it would be in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has no usable %2. Bring its mesh in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %2 of “%1” is not closed (open edges: %3). Close its holes, so that inside and outside can be told apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %2 of “%1” is no clean surface (edges, vertices or triangles at fault: %3). Repair the mesh and bring it in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %2 of “%1” is wound inwards, so that its outside is inside. Turn its triangles around.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %2 of “%1” cuts itself (pairs of triangles: %3, the first at triangle %4), which makes contacts push the wrong way. Simplify it again or repair it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The %2 of “%1” cuts itself (pairs of triangles: %3, the first at triangle %4). It is drawn wrong there; nothing else comes of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is soft and has no usable tetrahedra. Embed it in cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has tetrahedra without volume (%2, the worst is number %3). Embed it again with another cell size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has tetrahedra that are inside out (%2, the worst is number %3). Turn their corners around.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has no material. Choose one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” has the material “%2”, which does not exist. Choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coupling “%1” names a part or a region that is not there (region “%2”). Paint its region again, or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coupling “%1” between “%2” and “%3” gets only this many springs: %4. It needs four that do not lie on a line. Enlarge its region, or use smaller cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is bonded to “%2” over %3 % of its surface, and the two are still tested for contact. Switching that off saves time and spares contacts that pull against the bond.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing holds “%1”: it has no coupling and will fall. The nearest part is %2 mm away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing holds “%1”: it has no coupling and will fall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These parts are coupled to each other and to nothing that stays: %1. They will fall together. Couple one of them to a bone, or hold it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cage around “%1” cannot be used. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cage squeezes “%1” too much: %2 tetrahedra keep less than a tenth of their volume, the worst (number %3) keeps %4 %. Moving the handles back to %5 % of their way is enough.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cage turns tetrahedra of “%1” inside out (too little volume: %2, the worst is number %3). Moving the handles back to %4 % of their way is enough.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” cut each other at the start (pairs of triangles: %3, deepest %4 mm). Separate them with cages, or switch off their contact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” starts wholly inside “%2” (deepest %3 mm). Move it out, or switch off their contact.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No two parts cut each other at the start, but the joint does not record it. Recording it lets others trust it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recorded proof of the start belongs to other meshes, cages or contacts. Check the start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint cannot be saved as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiply all lengths by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Multiply the lengths of “%1” by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the %2 of “%1” around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the tetrahedra of “%1” around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give “%1” the material “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the coupling “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enlarge the region of the coupling “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off contact between “%1” and “%2”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the cage around “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the handles around “%1” back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separate “%1” and “%2” with cages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record that the start is free of overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the start again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ProblemsPanel</name>
+    <message>
+        <source>Problems of the joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for problems…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scene is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No problems were found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation type="unfinished">, </translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This one needs your judgement.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1128,6 +1540,65 @@
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::RecoverDialog</name>
+    <message>
+        <source>Remove the safety copies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove every safety copy of this scene? This cannot be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These scenes had changes that were not saved when the program ended. Your own files are as you last saved them. Whatever you do not recover now can be found again under File &gt; Recover.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scenes that can be recovered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation type="unfinished">Escena</translation>
+    </message>
+    <message>
+        <source>Opened from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove &amp;copies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yyyy-MM-dd HH:mm:ss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New scene</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1466,10 +1937,6 @@
     <message>
         <source>Skin layer</source>
         <translation>Capa de piel</translation>
-    </message>
-    <message>
-        <source>Bursa</source>
-        <translation>Bolsa</translation>
     </message>
 </context>
 <context>

@@ -56,10 +56,16 @@ void Document::open(Scene scene, const QString& path) {
   swap(std::move(scene), std::move(frozen), all);
 }
 
+void Document::openUnsaved(Scene scene, const QString& origin) {
+  open(std::move(scene), origin);
+  m_undo.resetClean();
+}
+
 void Document::saved(const QString& path) {
   m_path = path;
   m_undo.setClean();
   ++m_gestureNumber;
+  emit savedTo(path);
 }
 
 void Document::edit(const QString& text, const ChangeSet& changes, const Edit& change, const QString& gesture) {

@@ -48,6 +48,8 @@ class Document : public QObject {
 
   /// Another scene; forgets undo.
   void open(Scene scene, const QString& path);
+  /// The same for a scene that lies nowhere yet: it counts as changed until it is saved.
+  void openUnsaved(Scene scene, const QString& origin);
   /// The scene was written there: no unsaved changes.
   void saved(const QString& path);
   /// One undo step called `text`. Edits in a row with the same `gesture` that is not empty are one step, until
@@ -62,6 +64,7 @@ class Document : public QObject {
 
  signals:
   void changed(const glenoid::ChangeSet& changes);
+  void savedTo(const QString& path);
 
  private:
   class SwapCommand;

@@ -47,6 +47,8 @@ class MainWindow : public QMainWindow {
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
+  /// Where safety copies lie; offers at once what a program that was killed left there.
+  void offerRecovery(const QString& autosaveRoot);
 
  signals:
   void languageWanted(const QString& code);
@@ -73,6 +75,7 @@ class MainWindow : public QMainWindow {
   bool mayDiscard();
   void askForScene();
   void askForJointFolder();
+  void askForRecovery(bool all);
   void saveAs();
   void exportPicture();
   void showAbout();
@@ -99,6 +102,7 @@ class MainWindow : public QMainWindow {
   QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr;
   std::vector<QToolBar*> m_toolBars;
   QThreadPool m_workers;
+  QString m_autosaveRoot;
   int m_opening = 0, m_openings = 0;  ///< the one under way (0: none), and how many so far
 };
 

@@ -137,7 +137,7 @@ Result<Joint> moveHandlesBack(Joint joint, const Problem& problem) {
 Result<Joint> separate(Joint joint, const Problem& problem, const FixProgress& progress) {
   const int a = findPart(joint, problem.part), b = findPart(joint, problem.other);
   if (a < 0 || b < 0 || problem.parts.empty()) return noLonger(problem);
-  SeparateWishes wishes;
+  StartWishes wishes;
   wishes.parts = problem.parts;
   const auto outcome = separateStart(joint, wishes, [&](double done, int) { return !progress || progress(done); });
   if (!outcome) return outcome.error();

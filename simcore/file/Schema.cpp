@@ -28,7 +28,7 @@ struct Known {
 /// A recording holds a pose for every step; the others are written by hand or nearly so.
 const Known& knownOf(Schema schema) {
   constexpr JsonLimits byHand{64, 64ull << 20}, byClock{64, 256ull << 20};
-  static const Known all[kSchemaCount] = {{"joint.schema.json", schema_texts::kJoint, 1, byHand},
+  static const Known all[kSchemaCount] = {{"joint.schema.json", schema_texts::kJoint, 2, byHand},
                                           {"scenario.schema.json", schema_texts::kScenario, 1, byHand},
                                           {"recording.schema.json", schema_texts::kRecording, 1, byClock},
                                           {"run-report.schema.json", schema_texts::kRunReport, 1, byHand},

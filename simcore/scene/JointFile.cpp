@@ -10,7 +10,9 @@
 #include "simcore/file/Ply.h"
 #include "simcore/file/Schema.h"
 #include "simcore/file/Vtk.h"
+#include "simcore/scene/DraftFile.h"
 #include "simcore/scene/JointCheck.h"
+#include "simcore/scene/ScenarioJson.h"
 #include "simcore/scene/SceneJson.h"
 
 namespace glenoid {
@@ -67,9 +69,9 @@ void sortParts(Joint& joint) {
                    [](const Part& a, const Part& b) { return a.number < b.number; });
 }
 
-JsonValue fromJoint(const Joint& joint) {
+JsonValue fromJoint(const Joint& joint, int version = schemaVersion(Schema::Joint)) {
   JsonValue json = JsonValue::object();
-  json.set("schemaVersion", schemaVersion(Schema::Joint));
+  json.set("schemaVersion", version);
   json.set("id", joint.id);
   json.set("name", joint.name);
   json.set("provenance", fromProvenance(joint.provenance));
@@ -216,6 +218,30 @@ Result<Done> saveMeshes(const Joint& joint, const std::string& folder) {
   return Done{};
 }
 
+/// The first save over a joint.json of an older form keeps it, and the meshes it names, for the program that wrote it.
+std::string olderName(int version) {
+  return "joint.v" + std::to_string(version) + ".json";
+}
+Result<Done> keepOlder(const std::string& folder, const JsonValue& before) {
+  const auto version = before["schemaVersion"].integer();
+  if (version < 1 || version >= schemaVersion(Schema::Joint)) return Done{};
+  const std::string copy = (fs::path(folder) / olderName(static_cast<int>(version))).string();
+  std::error_code ignored;
+  if (fs::exists(copy, ignored)) return Done{};
+  const auto bytes = readWholeFile(jsonPath(folder));
+  if (!bytes) return bytes.error();
+  return writeWholeFile(copy, *bytes);
+}
+
+/// Meshes that kept copies of older forms name.
+std::set<std::string> meshesOfOlder(const std::string& folder) {
+  std::set<std::string> names;
+  for (int version = 1; version < schemaVersion(Schema::Joint); ++version)
+    if (const Result<JsonValue> older = readJson((fs::path(folder) / olderName(version)).string()))
+      names.merge(meshesNamedBy(*older));
+  return names;
+}
+
 Result<Done> checkSorted(const Joint& joint, const JsonValue& json, const std::string& file) {
   if (const auto pointer = notFiniteIn(json))
     return Error{Fault::NotFinite, {file, *pointer, {}, {}}, {}, {}};
@@ -252,10 +278,14 @@ Result<Done> saveJoint(const Joint& unsorted, const std::string& folder) {
   if (const auto made = makeFolder(folder); !made) return made;
   if (const auto made = makeFolder((fs::path(folder) / "meshes").string()); !made) return made;
   std::set<std::string> superseded;
-  if (const Result<JsonValue> before = readJson(file)) superseded = meshesNamedBy(*before);
+  if (const Result<JsonValue> before = readJson(file)) {
+    superseded = meshesNamedBy(*before);
+    if (const auto kept = keepOlder(folder, *before); !kept) return kept;
+  }
   if (const auto saved = saveMeshes(joint, folder); !saved) return saved;
   if (const auto saved = writeJson(file, json); !saved) return saved;
   for (const std::string& name : meshesNamedBy(json)) superseded.erase(name);
+  for (const std::string& name : meshesOfOlder(folder)) superseded.erase(name);
   std::error_code ignored;  // the save has happened; what is left over does no harm
   for (const std::string& name : superseded) fs::remove(fs::path(folder) / name, ignored);
   return Done{};
@@ -270,8 +300,65 @@ Result<Done> checkJoint(const Joint& unsorted, const std::string& file) {
 std::string jointHash(const Joint& unsorted) {
   Joint joint = unsorted;
   sortParts(joint);
-  const std::string text = toText(fromJoint(joint));
+  const std::string text = toText(fromJoint(joint, 1));  // the form of the file is no content: hashes outlive it
   return toHex(hashBytes(text.data(), text.size()));
+}
+
+Result<Done> saveDraft(const Draft& draft, const std::string& folder, const std::string& blobs) {
+  const std::string meshes = (fs::path(folder) / "meshes").string();
+  for (const std::string& each : {blobs, meshes})
+    if (const auto made = makeFolder(each); !made) return made;
+  // Blobs are written under another name first, so that one that has its name is whole and is not looked at again.
+  const auto keep = [&](const auto& mesh, const char* ending, auto&& writer) -> Result<Done> {
+    if (!mesh) return Done{};
+    const std::string name = toHex(contentHash(*mesh)) + ending;
+    const fs::path blob = fs::path(blobs) / name, link = fs::path(folder) / "meshes" / name;
+    std::error_code failed;
+    if (!fs::exists(blob, failed))
+      if (const auto written = writer(blob.string(), *mesh); !written) return written;
+    if (fs::exists(link, failed)) return Done{};  // another part shows it too
+    fs::create_hard_link(blob, link, failed);
+    if (failed) fs::copy_file(blob, link, failed);
+    if (failed) return folderFault(Fault::FileUnwritable, link.string(), failed);
+    return Done{};
+  };
+  for (const Part& part : draft.joint.parts) {
+    for (const auto& surface : {part.visual, part.collision})
+      if (const auto kept = keep(surface, ".ply", writePly); !kept) return kept;
+    const auto kept = keep(part.volume, ".vtk", [](const std::string& path, const TetMesh& tets) { return writeVtk(path, tets); });
+    if (!kept) return kept;
+  }
+  const auto write = [&](const char* name, const JsonValue& json) {
+    return writeWholeFile((fs::path(folder) / name).string(), toText(json));
+  };
+  if (const auto written = write("scenario.json", fromScenario(draft.scenario)); !written) return written;
+  return write("joint.json", fromJoint(draft.joint));
+}
+
+Result<Draft> loadDraft(const std::string& folder) {
+  const std::string file = jsonPath(folder);
+  const Result<JsonValue> json = readJson(file);
+  if (!json) return json.error();
+  const Result<JsonValue> scenario = readJson((fs::path(folder) / "scenario.json").string());
+  if (!scenario) return scenario.error();
+  Draft draft{toJoint(*json), toScenario(*scenario)};
+  MeshStore store(folder, file);
+  for (std::size_t i = 0; i < draft.joint.parts.size(); ++i) {
+    Part& part = draft.joint.parts[i];
+    const JsonValue& from = (*json)["parts"][i];
+    const auto there = [&](const char* member) { return from.find(member) && from[member].text().find("/none.") == std::string::npos; };
+    for (const char* member : {"visual", "collision"}) {
+      if (!there(member)) continue;
+      auto mesh = store.surface(from[member].text(), {}, part.id);
+      if (!mesh) return mesh.error();
+      (*member == 'v' ? part.visual : part.collision) = std::move(*mesh);
+    }
+    if (!there("volume")) continue;
+    auto volume = store.volume(from["volume"].text(), {}, part.id);
+    if (!volume) return volume.error();
+    part.volume = std::move(*volume);
+  }
+  return draft;
 }
 
 std::string startHash(const Joint& unsorted) {

@@ -16,7 +16,8 @@ namespace glenoid {
 Result<Joint> loadJoint(const std::string& folder);
 
 /// Writes new meshes first, joint.json last, so that a save happened or it did not; then removes the mesh files that
-/// only an older joint.json named. Other files in the folder stay. Makes the folder when its parent exists.
+/// only an older joint.json named. The first save over a joint.json of an older schema keeps it beside as
+/// joint.v1.json, with its meshes. Other files in the folder stay. Makes the folder when its parent exists.
 /// Fails as checkJoint does, before anything is written, and with FileMissing or FileUnwritable.
 Result<Done> saveJoint(const Joint& joint, const std::string& folder);
 

@@ -9,6 +9,7 @@
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
 #include "simcore/file/Ply.h"
+#include "simcore/scene/DraftFile.h"
 #include "tests/simcore/file/TemporaryFolder.h"
 #include "tests/simcore/scene/SampleJoint.h"
 
@@ -141,6 +142,59 @@ TEST(JointFile, aSaveThatFailsLeavesTheOldJoint) {
   expectSame(*loadJoint(saved.joint), sampleJoint());
 }
 
+TEST(JointFile, aJointOfTheFirstSchemaIsReadAndKeptBesideItsSuccessor) {
+  Saved saved;
+  saved.replace("\"schemaVersion\": 2", "\"schemaVersion\": 1");
+  const std::string old = saved.folder.get("s.joint/joint.json");
+  const auto loaded = loadJoint(saved.joint);
+  ASSERT_TRUE(loaded.ok()) << toLogLine(loaded.error());
+  EXPECT_EQ(jointHash(*loaded), jointHash(sampleJoint())) << "the form of the file is no content";
+  EXPECT_FALSE(std::filesystem::exists(saved.joint + "/joint.v1.json")) << "reading changes nothing";
+
+  Joint joint = *loaded;  // another mesh, so that the old one is no longer named by joint.json
+  TriMesh mesh = *joint.parts[1].visual;
+  mesh.vertices[0].x() += 1e-3;
+  joint.parts[1].visual = std::make_shared<const TriMesh>(mesh);
+  ASSERT_TRUE(saveJoint(joint, saved.joint).ok());
+  EXPECT_EQ(saved.folder.get("s.joint/joint.v1.json"), old);
+  EXPECT_NE(saved.folder.get("s.joint/joint.json").find("\"schemaVersion\": 2"), std::string::npos);
+  EXPECT_EQ(jointHash(*loadJoint(saved.joint)), jointHash(joint));
+
+  // Later saves leave the copy and its meshes alone; it can still be opened.
+  joint.name = "again";
+  ASSERT_TRUE(saveJoint(joint, saved.joint).ok());
+  EXPECT_EQ(saved.folder.get("s.joint/joint.v1.json"), old);
+  saved.folder.put("s.joint/joint.json", old);
+  const auto back = loadJoint(saved.joint);
+  ASSERT_TRUE(back.ok()) << toLogLine(back.error());
+  expectSame(*back, sampleJoint());
+}
+
+TEST(DraftFile, keepsWhatCannotBeSavedAndWritesEachMeshOnce) {
+  const TemporaryFolder folder;
+  Joint joint = sampleJoint();
+  joint.parts[0].materials.clear();
+  joint.parts[1].volume.reset();
+  joint.couplings[0].regionA = "nowhere";
+  Scenario scenario;
+  scenario.id = "s";
+  scenario.fixedParts = {"humerus", "ghost"};
+  EXPECT_FALSE(checkJoint(joint, {}).ok());
+  for (const char* name : {"1", "2"}) {
+    std::filesystem::create_directory(folder.path(name));
+    const auto saved = saveDraft({joint, scenario}, folder.path(name), folder.path("blobs"));
+    ASSERT_TRUE(saved.ok()) << toLogLine(saved.error());
+    const auto back = loadDraft(folder.path(name));
+    ASSERT_TRUE(back.ok()) << toLogLine(back.error());
+    expectSame(back->joint, joint);
+    EXPECT_EQ(back->scenario.fixedParts, scenario.fixedParts);
+  }
+  for (const auto& blob : std::filesystem::directory_iterator(folder.path("blobs")))
+    EXPECT_EQ(std::filesystem::hard_link_count(blob.path()), 3u) << blob.path();
+  EXPECT_EQ(loadDraft(folder.path("3")).error().fault, Fault::FileMissing);
+  EXPECT_EQ(saveDraft({joint, scenario}, folder.path("3"), folder.path("blobs")).error().fault, Fault::FileMissing);
+}
+
 TEST(JointFile, foldersAndFilesThatAreNotThere) {
   Saved saved;
   const Error missing = [&] {
@@ -175,7 +229,7 @@ struct Slip {
 
 TEST(JointFile, everySlipIsNamedWithItsPlace) {
   const std::vector<Slip> slips = {
-      {"\"schemaVersion\": 1", "\"schemaVersion\": 2", Fault::NewerSchema, "/schemaVersion", "", {"2", "1"}},
+      {"\"schemaVersion\": 2", "\"schemaVersion\": 3", Fault::NewerSchema, "/schemaVersion", "", {"3", "2"}},
       {"\"massDamping\": 0.7", "\"massDamping\": NaN", Fault::NotFinite, "/materials/1/massDamping", "", {}},
       {"\"massDamping\": 0.7",
        "\"massDamping\": -1",
