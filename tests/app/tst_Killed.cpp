@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -46,7 +47,11 @@ int editUntilKilled(int argc, char** argv) {
   const Part last = document.joint().parts.back();
   int edit = 0;
   QTimer timer;
+  QElapsedTimer pause;  // a person stops to look now and then
   QObject::connect(&timer, &QTimer::timeout, [&] {
+    if (pause.isValid() && pause.elapsed() < 1300) return;
+    pause.invalidate();
+    if (random() % 40 == 0) pause.start();
     ++edit;
     const bool there = findPart(document.joint(), last.id) >= 0;
     if (random() % 10 == 0) {
@@ -61,7 +66,7 @@ int editUntilKilled(int argc, char** argv) {
     renamePart(document, document.joint().parts.front().id, QString::number(edit));
     std::printf("%d %lld\n", edit, static_cast<long long>(QDateTime::currentMSecsSinceEpoch()));
     std::fflush(stdout);
-    if (random() % 300 == 0) {
+    if (random() % 150 == 0) {
       const auto saved = saveScene(document.scene(), project);
       if (!saved.ok()) {
         std::printf("failed %s\n", toLogLine(saved.error()).c_str());
@@ -92,7 +97,7 @@ TEST(Killed, atARandomMomentNothingOlderThanTenSecondsIsLostAndNoProjectIsDamage
     ASSERT_TRUE(child.waitForStarted());
     ASSERT_TRUE(child.waitForReadyRead(20000));
     // Half of the rounds die within the first seconds, the others later, while many copies come and go.
-    const int life = std::uniform_int_distribution<int>(50, round % 2 ? 7000 : 2500)(random);
+    const int life = std::uniform_int_distribution<int>(50, round % 2 ? 7000 : 3000)(random);
     QElapsedTimer clock;
     clock.start();
     while (clock.elapsed() < life) child.waitForReadyRead(std::max<int>(1, life - static_cast<int>(clock.elapsed())));
