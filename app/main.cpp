@@ -67,6 +67,7 @@ int runProgram(int argc, char** argv) {
   addRenderCommand(app, status);
   addJointCommand(app, status);
   addReplayCommand(app, status);
+  addExportCommand(app, status);
   addBenchCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
              "builtin:shoulder-superficial.\n"

@@ -427,65 +427,65 @@
     <name>glenoid::HistoryPanel</name>
     <message>
         <source>History of changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Historial de cambios</translation>
     </message>
     <message>
         <source>As it was opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Como se abrió</translation>
     </message>
 </context>
 <context>
     <name>glenoid::JobSystem</name>
     <message>
         <source>“%1” was dropped: the scene was changed in what it works on. Start it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se ha descartado «%1»: la escena cambió en aquello con lo que trabaja. Inícielo de nuevo.</translation>
     </message>
 </context>
 <context>
     <name>glenoid::JobsBar</name>
     <message>
         <source>Stop this work; nothing will be changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener este trabajo; no se cambiará nada</translation>
     </message>
     <message>
         <source>Stop this work</source>
-        <translation type="unfinished"></translation>
+        <translation>Detener este trabajo</translation>
     </message>
     <message>
         <source>How far the work is</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance del trabajo</translation>
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished">%1: {1…?}</translation>
+        <translation>%1…</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation type="unfinished"></translation>
+        <translation>Deteniendo…</translation>
     </message>
     <message numerus="yes">
         <source>%1 (about %n minute(s) left)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 (queda cerca de %n minuto)</numerusform>
+            <numerusform>%1 (quedan cerca de %n minutos)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 (about %n second(s) left)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 (queda cerca de %n segundo)</numerusform>
+            <numerusform>%1 (quedan cerca de %n segundos)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 y %n más</numerusform>
+            <numerusform>%1 y %n más</numerusform>
         </translation>
     </message>
 </context>
@@ -923,106 +923,106 @@
     </message>
     <message>
         <source>Problems</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Historial</translation>
     </message>
     <message>
         <source>&amp;Recover…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Recuperar…</translation>
     </message>
     <message>
         <source>Find unsaved work of a program that was closed or killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscar trabajo sin guardar de un programa que se cerró o se interrumpió</translation>
     </message>
     <message>
         <source>Recover unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar trabajo sin guardar</translation>
     </message>
     <message>
         <source>There is no unsaved work to recover.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay trabajo sin guardar que recuperar.</translation>
     </message>
 </context>
 <context>
     <name>glenoid::PartEdits</name>
     <message>
         <source>Rename “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el nombre de «%1»</translation>
     </message>
     <message>
         <source>Number “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Numerar «%1»</translation>
     </message>
     <message>
         <source>Make “%1” soft</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer blando «%1»</translation>
     </message>
     <message>
         <source>Make “%1” rigid</source>
-        <translation type="unfinished"></translation>
+        <translation>Hacer rígido «%1»</translation>
     </message>
     <message>
         <source>Colour “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Colorear «%1»</translation>
     </message>
     <message>
         <source>Change the materials of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar los materiales de «%1»</translation>
     </message>
     <message>
         <source>Add “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir «%1»</translation>
     </message>
     <message>
         <source>Remove “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar «%1»</translation>
     </message>
     <message>
         <source>Replace the visual surface of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Sustituir la superficie visual de «%1»</translation>
     </message>
     <message>
         <source>Replace the collision surface of “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Sustituir la superficie de colisión de «%1»</translation>
     </message>
     <message>
         <source>Embed “%1” in other cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Embeber «%1» en otras celdas</translation>
     </message>
     <message>
         <source>Add the material “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Añadir el material «%1»</translation>
     </message>
     <message>
         <source>Change the material “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambiar el material «%1»</translation>
     </message>
     <message>
         <source>Remove the material “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el material «%1»</translation>
     </message>
     <message>
         <source>Switch off contact between “%1” and “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactivar el contacto entre «%1» y «%2»</translation>
     </message>
     <message>
         <source>Switch on contact between “%1” and “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Activar el contacto entre «%1» y «%2»</translation>
     </message>
     <message>
         <source>Put a cage around “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Poner una jaula alrededor de «%1»</translation>
     </message>
     <message>
         <source>Remove the cage around “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la jaula de «%1»</translation>
     </message>
     <message>
         <source>Move handles around “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Mover los tiradores de «%1»</translation>
     </message>
 </context>
 <context>
@@ -1080,243 +1080,243 @@
     <name>glenoid::ProblemSentences</name>
     <message>
         <source>, </source>
-        <translation type="unfinished">, </translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>collision surface</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie de colisión</translation>
     </message>
     <message>
         <source>visual surface</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie visual</translation>
     </message>
     <message>
         <source>The largest part is %1 m long, which no human joint is: its meshes are probably in another unit. Multiplied by %2 they would be metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>La parte más grande mide %1 m, lo que no mide ninguna articulación humana: sus mallas están probablemente en otra unidad. Multiplicadas por %2 serían metros.</translation>
     </message>
     <message>
         <source>“%1” is %2 m long, unlike the other parts: it is probably in another unit. Multiplied by %3 it would be in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» mide %2 m, a diferencia de las demás partes: está probablemente en otra unidad. Multiplicada por %3 estaría en metros.</translation>
     </message>
     <message>
         <source>“%1” has no usable %2. Bring its mesh in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no tiene una %2 utilizable. Importe de nuevo su malla.</translation>
     </message>
     <message>
         <source>The %2 of “%1” is not closed (open edges: %3). Close its holes, so that inside and outside can be told apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>La %2 de «%1» no está cerrada (aristas abiertas: %3). Cierre sus agujeros para que se distinga el interior del exterior.</translation>
     </message>
     <message>
         <source>The %2 of “%1” is no clean surface (edges, vertices or triangles at fault: %3). Repair the mesh and bring it in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La %2 de «%1» no es una superficie limpia (aristas, vértices o triángulos defectuosos: %3). Repare la malla e impórtela de nuevo.</translation>
     </message>
     <message>
         <source>The %2 of “%1” is wound inwards, so that its outside is inside. Turn its triangles around.</source>
-        <translation type="unfinished"></translation>
+        <translation>La %2 de «%1» está orientada hacia dentro, de modo que su exterior es el interior. Dé la vuelta a sus triángulos.</translation>
     </message>
     <message>
         <source>The %2 of “%1” cuts itself (pairs of triangles: %3, the first at triangle %4), which makes contacts push the wrong way. Simplify it again or repair it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La %2 de «%1» se corta a sí misma (pares de triángulos: %3, el primero en el triángulo %4), lo que hace que los contactos empujen en sentido contrario. Simplifíquela de nuevo o repárela.</translation>
     </message>
     <message>
         <source>The %2 of “%1” cuts itself (pairs of triangles: %3, the first at triangle %4). It is drawn wrong there; nothing else comes of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La %2 de «%1» se corta a sí misma (pares de triángulos: %3, el primero en el triángulo %4). Allí se dibuja mal; no tiene otra consecuencia.</translation>
     </message>
     <message>
         <source>“%1” is soft and has no usable tetrahedra. Embed it in cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» es blando y no tiene tetraedros utilizables. Embébalo en celdas.</translation>
     </message>
     <message>
         <source>“%1” has tetrahedra without volume (%2, the worst is number %3). Embed it again with another cell size.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» tiene tetraedros sin volumen (%2, el peor es el número %3). Embébalo de nuevo con otro tamaño de celda.</translation>
     </message>
     <message>
         <source>“%1” has tetrahedra that are inside out (%2, the worst is number %3). Turn their corners around.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» tiene tetraedros vueltos del revés (%2, el peor es el número %3). Dé la vuelta a sus vértices.</translation>
     </message>
     <message>
         <source>“%1” has no material. Choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» no tiene material. Elija uno.</translation>
     </message>
     <message>
         <source>“%1” has the material “%2”, which does not exist. Choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» tiene el material «%2», que no existe. Elija otro.</translation>
     </message>
     <message>
         <source>The coupling “%1” names a part or a region that is not there (region “%2”). Paint its region again, or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>El acoplamiento «%1» nombra una parte o una región que no existe (región «%2»). Pinte de nuevo su región o quítelo.</translation>
     </message>
     <message>
         <source>The coupling “%1” between “%2” and “%3” gets only this many springs: %4. It needs four that do not lie on a line. Enlarge its region, or use smaller cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>El acoplamiento «%1» entre «%2» y «%3» solo obtiene este número de muelles: %4. Necesita cuatro que no estén en una recta. Amplíe su región o use celdas más pequeñas.</translation>
     </message>
     <message>
         <source>“%1” is bonded to “%2” over %3 % of its surface, and the two are still tested for contact. Switching that off saves time and spares contacts that pull against the bond.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» está unido a «%2» en el %3 % de su superficie, y aún se busca contacto entre los dos. Desactivarlo ahorra tiempo y evita contactos que tiran contra la unión.</translation>
     </message>
     <message>
         <source>Nothing holds “%1”: it has no coupling and will fall. The nearest part is %2 mm away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada sujeta «%1»: no tiene acoplamiento y caerá. La parte más cercana está a %2 mm.</translation>
     </message>
     <message>
         <source>Nothing holds “%1”: it has no coupling and will fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nada sujeta «%1»: no tiene acoplamiento y caerá.</translation>
     </message>
     <message>
         <source>These parts are coupled to each other and to nothing that stays: %1. They will fall together. Couple one of them to a bone, or hold it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estas partes están acopladas entre sí y a nada que se quede quieto: %1. Caerán juntas. Acople una de ellas a un hueso o sujétela.</translation>
     </message>
     <message>
         <source>The cage around “%1” cannot be used. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>La jaula de «%1» no se puede usar. %2</translation>
     </message>
     <message>
         <source>The cage squeezes “%1” too much: %2 tetrahedra keep less than a tenth of their volume, the worst (number %3) keeps %4 %. Moving the handles back to %5 % of their way is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>La jaula comprime demasiado «%1»: %2 tetraedros conservan menos de la décima parte de su volumen, el peor (número %3) conserva el %4 %. Basta con devolver los tiradores al %5 % de su recorrido.</translation>
     </message>
     <message>
         <source>The cage turns tetrahedra of “%1” inside out (too little volume: %2, the worst is number %3). Moving the handles back to %4 % of their way is enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>La jaula vuelve del revés tetraedros de «%1» (con demasiado poco volumen: %2, el peor es el número %3). Basta con devolver los tiradores al %4 % de su recorrido.</translation>
     </message>
     <message>
         <source>“%1” and “%2” cut each other at the start (pairs of triangles: %3, deepest %4 mm). Separate them with cages, or switch off their contact.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» y «%2» se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm). Sepárelos con jaulas o desactive su contacto.</translation>
     </message>
     <message>
         <source>“%1” starts wholly inside “%2” (deepest %3 mm). Move it out, or switch off their contact.</source>
-        <translation type="unfinished"></translation>
+        <translation>«%1» comienza por completo dentro de «%2» (profundidad máxima %3 mm). Sáquelo o desactive su contacto.</translation>
     </message>
     <message>
         <source>No two parts cut each other at the start, but the joint does not record it. Recording it lets others trust it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ningún par de partes se corta al comienzo, pero la articulación no lo registra. Registrarlo permite que otros se fíen.</translation>
     </message>
     <message>
         <source>The recorded proof of the start belongs to other meshes, cages or contacts. Check the start again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prueba registrada del comienzo corresponde a otras mallas, jaulas o contactos. Compruebe de nuevo el comienzo.</translation>
     </message>
     <message>
         <source>The joint cannot be saved as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>La articulación no se puede guardar tal como está.</translation>
     </message>
     <message>
         <source>Multiply all lengths by %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplicar todas las longitudes por %1</translation>
     </message>
     <message>
         <source>Multiply the lengths of “%1” by %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Multiplicar las longitudes de «%1» por %2</translation>
     </message>
     <message>
         <source>Turn the %2 of “%1” around</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar la vuelta a la %2 de «%1»</translation>
     </message>
     <message>
         <source>Turn the tetrahedra of “%1” around</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar la vuelta a los tetraedros de «%1»</translation>
     </message>
     <message>
         <source>Give “%1” the material “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Dar a «%1» el material «%2»</translation>
     </message>
     <message>
         <source>Remove the coupling “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar el acoplamiento «%1»</translation>
     </message>
     <message>
         <source>Enlarge the region of the coupling “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Ampliar la región del acoplamiento «%1»</translation>
     </message>
     <message>
         <source>Switch off contact between “%1” and “%2”</source>
-        <translation type="unfinished"></translation>
+        <translation>Desactivar el contacto entre «%1» y «%2»</translation>
     </message>
     <message>
         <source>Remove the cage around “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la jaula de «%1»</translation>
     </message>
     <message>
         <source>Move the handles around “%1” back</source>
-        <translation type="unfinished"></translation>
+        <translation>Devolver los tiradores de «%1»</translation>
     </message>
     <message>
         <source>Separate “%1” and “%2” with cages</source>
-        <translation type="unfinished"></translation>
+        <translation>Separar «%1» y «%2» con jaulas</translation>
     </message>
     <message>
         <source>Record that the start is free of overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrar que el comienzo está libre de solapamientos</translation>
     </message>
     <message>
         <source>Check the start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Comprobar de nuevo el comienzo</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Error</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Aviso</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Nota</translation>
     </message>
 </context>
 <context>
     <name>glenoid::ProblemsPanel</name>
     <message>
         <source>Problems of the joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Problemas de la articulación</translation>
     </message>
     <message>
         <source>Looking for problems…</source>
-        <translation type="unfinished"></translation>
+        <translation>Buscando problemas…</translation>
     </message>
     <message>
         <source>No scene is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ninguna escena abierta.</translation>
     </message>
     <message>
         <source>No problems were found.</source>
-        <translation type="unfinished"></translation>
+        <translation>No se han encontrado problemas.</translation>
     </message>
     <message numerus="yes">
         <source>%n error(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errores</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n warning(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n aviso</numerusform>
+            <numerusform>%n avisos</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n nota</numerusform>
+            <numerusform>%n notas</numerusform>
         </translation>
     </message>
     <message>
         <source>, </source>
-        <translation type="unfinished">, </translation>
+        <translation>, </translation>
     </message>
     <message>
         <source>Fix</source>
-        <translation type="unfinished"></translation>
+        <translation>Arreglar</translation>
     </message>
     <message>
         <source>Fix: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arreglar: %1</translation>
     </message>
     <message>
         <source>This one needs your judgement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Este requiere su criterio.</translation>
     </message>
 </context>
 <context>
@@ -1546,59 +1546,59 @@
     <name>glenoid::RecoverDialog</name>
     <message>
         <source>Remove the safety copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar las copias de seguridad</translation>
     </message>
     <message>
         <source>Remove every safety copy of this scene? This cannot be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>¿Quitar todas las copias de seguridad de esta escena? No se puede deshacer.</translation>
     </message>
     <message>
         <source>Recover unsaved work</source>
-        <translation type="unfinished"></translation>
+        <translation>Recuperar trabajo sin guardar</translation>
     </message>
     <message>
         <source>These scenes had changes that were not saved when the program ended. Your own files are as you last saved them. Whatever you do not recover now can be found again under File &gt; Recover.</source>
-        <translation type="unfinished"></translation>
+        <translation>Estas escenas tenían cambios sin guardar cuando terminó el programa. Sus propios archivos están como los guardó por última vez. Lo que no recupere ahora se puede encontrar de nuevo en Archivo &gt; Recuperar.</translation>
     </message>
     <message>
         <source>Scenes that can be recovered</source>
-        <translation type="unfinished"></translation>
+        <translation>Escenas que se pueden recuperar</translation>
     </message>
     <message>
         <source>Saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Guardada</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished">Escena</translation>
+        <translation>Escena</translation>
     </message>
     <message>
         <source>Opened from</source>
-        <translation type="unfinished"></translation>
+        <translation>Abierta desde</translation>
     </message>
     <message>
         <source>&amp;Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Recuperar</translation>
     </message>
     <message>
         <source>&amp;Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;hora no</translation>
     </message>
     <message>
         <source>Remove &amp;copies</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar las &amp;copias</translation>
     </message>
     <message>
         <source>yyyy-MM-dd HH:mm:ss</source>
-        <translation type="unfinished"></translation>
+        <translation>dd/MM/yyyy HH:mm:ss</translation>
     </message>
     <message>
         <source>Without a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Sin nombre</translation>
     </message>
     <message>
         <source>New scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Escena nueva</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "editor/core/ProblemWatch.h"
 #include "editor/ui/Actions.h"
 #include "editor/ui/GlProbe.h"
+#include "simcore/export/ExportJoint.h"
 
 class QDockWidget;
 class QLabel;
@@ -49,6 +50,8 @@ class MainWindow : public QMainWindow {
   void showProblem(const QString& sentence);
   /// Where safety copies lie; offers at once what a program that was killed left there.
   void offerRecovery(const QString& autosaveRoot);
+  /// Writes the joint for another program in the background, then says what was lost.
+  void exportJointTo(const QString& path, ExportFormat format);
 
  signals:
   void languageWanted(const QString& code);
@@ -78,6 +81,7 @@ class MainWindow : public QMainWindow {
   void askForRecovery(bool all);
   void saveAs();
   void exportPicture();
+  void exportTo();
   void showAbout();
 
   Document& m_document;

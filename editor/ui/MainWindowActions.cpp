@@ -14,7 +14,6 @@
 #include "editor/ui/Language.h"
 #include "editor/ui/LayersPanel.h"
 #include "editor/ui/MainWindow.h"
-#include "editor/ui/RecoverDialog.h"
 #include "editor/ui/SceneView.h"
 #include "editor/ui/Theme.h"
 
@@ -54,6 +53,9 @@ void MainWindow::makeFileActions() {
   m_actions.add("saveAs", "save", {QKeySequence::Save, QKeySequence::SaveAs},
                 [] { return Actions::Words{tr("&Save as…"), tr("Save joint and scenario under a name")}; },
                 [this] { saveAs(); });
+  m_actions.add("exportJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
+                [] { return Actions::Words{tr("Export &joint…"), tr("Write the joint for Gmsh, VTK, SOFA, FEBio or glTF")}; },
+                [this] { exportTo(); });
   m_actions.add("picture", "picture", {QKeySequence(Qt::CTRL | Qt::Key_E)},
                 [] { return Actions::Words{tr("&Export picture…"), tr("Save what the view shows as a PNG file")}; },
                 [this] { exportPicture(); });
@@ -201,7 +203,7 @@ void MainWindow::makeMenus() {
   fill(file, {"open", "openJoint"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
-  fill(file, {"recover", "-", "saveAs", "picture", "-", "quit"});
+  fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});
   fill(menu(), {"undo", "redo", "-", "selectNone"});
   QMenu* view = menu();
   fill(view, {"frame", "frameAll", "home"});
@@ -283,37 +285,6 @@ void MainWindow::askForJointFolder() {
   if (!mayDiscard()) return;
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open a joint folder"));
   if (!path.isEmpty()) openScene(path);
-}
-
-void MainWindow::offerRecovery(const QString& autosaveRoot) {
-  m_autosaveRoot = autosaveRoot;
-  askForRecovery(false);
-}
-
-void MainWindow::askForRecovery(bool all) {
-  std::vector<AbandonedSession> sessions;
-  if (!m_autosaveRoot.isEmpty()) sessions = abandonedSessions(m_autosaveRoot);
-  if (!all) std::erase_if(sessions, [](const AbandonedSession& session) { return session.declined; });
-  if (sessions.empty()) {
-    if (all) QMessageBox::information(this, tr("Recover unsaved work"), tr("There is no unsaved work to recover."));
-    return;
-  }
-  RecoverDialog dialog(sessions, this);
-  if (dialog.exec() != QDialog::Accepted || !dialog.chosen()) {
-    for (const AbandonedSession& session : sessions) declineSession(session.folder);
-    return;
-  }
-  if (!mayDiscard()) return;
-  auto scene = loadGeneration(dialog.chosen()->folder);
-  if (!scene.ok()) return showProblem(sentenceOf(scene.error()));
-  m_opening = 0;  // whatever is being opened comes too late
-  showProblem({});
-  m_selection.clear();
-  m_display.showAll();
-  m_document.openUnsaved(std::move(scene).value(), dialog.chosen()->origin);
-  declineSession(dialog.chosenSession()->folder);  // stays until the work is saved or thirty days have passed
-  refreshRun();
-  emit sceneOpened();
 }
 
 void MainWindow::saveAs() {

@@ -136,7 +136,7 @@ std::string folderOf(const std::string& path) {
 
 const std::vector<std::string>& simcoreOrder() {
   static const std::vector<std::string> order = {"base", "linear", "mesh", "spatial", "file", "embed", "scene",
-                                                 "fem", "body", "tool", "coupling", "collide", "contact", "step", "author", "check",
+                                                 "fem", "body", "tool", "coupling", "collide", "contact", "step", "author", "check", "export",
                                                  "haptic", "live", "train", "study"};
   return order;
 }

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QString>
+
+#include "simcore/export/ExportJoint.h"
+
+namespace glenoid {
+
+/// What a format loses of a joint, for people; one sentence. Works with no QCoreApplication.
+QString sentenceOf(const Loss& loss);
+
+/// A format as a dialog names it, e.g. "SOFA scene".
+QString exportName(ExportFormat format);
+
+}  // namespace glenoid

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What comes back after a crash, and what goes to other programs.
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "editor/core/ExportSentences.h"
+#include "editor/core/Sentences.h"
+#include "editor/ui/MainWindow.h"
+#include "editor/ui/RecoverDialog.h"
+
+namespace glenoid {
+
+void MainWindow::offerRecovery(const QString& autosaveRoot) {
+  m_autosaveRoot = autosaveRoot;
+  askForRecovery(false);
+}
+
+void MainWindow::askForRecovery(bool all) {
+  std::vector<AbandonedSession> sessions;
+  if (!m_autosaveRoot.isEmpty()) sessions = abandonedSessions(m_autosaveRoot);
+  if (!all) std::erase_if(sessions, [](const AbandonedSession& session) { return session.declined; });
+  if (sessions.empty()) {
+    if (all) QMessageBox::information(this, tr("Recover unsaved work"), tr("There is no unsaved work to recover."));
+    return;
+  }
+  RecoverDialog dialog(sessions, this);
+  if (dialog.exec() != QDialog::Accepted || !dialog.chosen()) {
+    for (const AbandonedSession& session : sessions) declineSession(session.folder);
+    return;
+  }
+  if (!mayDiscard()) return;
+  auto scene = loadGeneration(dialog.chosen()->folder);
+  if (!scene.ok()) return showProblem(sentenceOf(scene.error()));
+  m_opening = 0;  // whatever is being opened comes too late
+  showProblem({});
+  m_selection.clear();
+  m_display.showAll();
+  m_document.openUnsaved(std::move(scene).value(), dialog.chosen()->origin);
+  declineSession(dialog.chosenSession()->folder);  // stays until the work is saved or thirty days have passed
+  refreshRun();
+  emit sceneOpened();
+}
+
+void MainWindow::exportTo() {
+  QStringList filters;
+  for (const ExportFormat format : kExportFormats)
+    filters << QStringLiteral("%1 (*.%2)").arg(exportName(format), QLatin1String(exportWord(format)));
+  QString chosen, path = QFileDialog::getSaveFileName(this, tr("Export the joint"), QString::fromStdString(m_document.joint().id),
+                                                      filters.join(QStringLiteral(";;")), &chosen);
+  if (path.isEmpty()) return;
+  // The ending decides; where none was typed, the filter does.
+  const auto formatOf = [&](const QString& ending) -> const ExportFormat* {
+    for (const ExportFormat& format : kExportFormats)
+      if (ending.compare(QLatin1String(exportWord(format)), Qt::CaseInsensitive) == 0) return &format;
+    return nullptr;
+  };
+  const ExportFormat* format = formatOf(QFileInfo(path).suffix());
+  if (!format) {
+    format = &kExportFormats[std::max<qsizetype>(0, filters.indexOf(chosen))];
+    path += QLatin1Char('.') + QLatin1String(exportWord(*format));
+  }
+  exportJointTo(path, *format);
+}
+
+void MainWindow::exportJointTo(const QString& path, ExportFormat format) {
+  const auto always = [](const Scene&, const Scene&) { return true; };  // what is exported is the joint as it was when asked
+  m_jobs.start<ExportReport>(
+      tr("Export %1").arg(QFileInfo(path).fileName()),
+      [joint = m_document.joint(), path, format](JobContext&) { return exportJoint(joint, format, path.toStdString()); },
+      [this, path](const ExportReport& report) {
+        QStringList losses;
+        for (const Loss& loss : report.losses) losses << QStringLiteral("<li>%1</li>").arg(sentenceOf(loss).toHtmlEscaped());
+        auto* box = new QMessageBox(QMessageBox::Information, tr("Export"), tr("The joint was written to %1.").arg(path.toHtmlEscaped()),
+                                    QMessageBox::Ok, this);
+        box->setObjectName(QStringLiteral("exported"));
+        box->setTextFormat(Qt::RichText);
+        if (!losses.isEmpty())
+          box->setInformativeText(tr("<p>What the file does not hold:</p><ul>%1</ul>").arg(losses.join(QString())));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+      },
+      always);
+}
+
+}  // namespace glenoid
