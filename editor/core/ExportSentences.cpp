@@ -16,32 +16,31 @@ struct ExportSentences {
 // One case for each kind and no default: the compiler names the one that is missing.
 QString sentenceOf(const Loss& loss) {
   const QString count = QLocale().toString(static_cast<qlonglong>(loss.count));
-  using T = ExportSentences;
   switch (loss.kind) {
-    case LossKind::RigidParts: return T::tr("Rigid parts are left out: %1.").arg(count);
-    case LossKind::Surfaces: return T::tr("Surfaces are left out: %1.").arg(count);
-    case LossKind::Volumes: return T::tr("Volumes are left out: %1.").arg(count);
-    case LossKind::Materials: return T::tr("Mechanical values of materials are left out: %1.").arg(count);
+    case LossKind::RigidParts: return ExportSentences::tr("Rigid parts are left out: %1.").arg(count);
+    case LossKind::Surfaces: return ExportSentences::tr("Surfaces are left out: %1.").arg(count);
+    case LossKind::Volumes: return ExportSentences::tr("Volumes are left out: %1.").arg(count);
+    case LossKind::Materials: return ExportSentences::tr("Mechanical values of materials are left out: %1.").arg(count);
     case LossKind::MaterialLaw:
-      return T::tr("The tissue law becomes neo-Hookean, with the same Young's modulus and Poisson's ratio.");
+      return ExportSentences::tr("The tissue law becomes neo-Hookean, with the same Young's modulus and Poisson's ratio.");
     case LossKind::FillFractions:
-      return T::tr("Tetrahedra that are only partly tissue are written as full ones, so they are stiffer and heavier: %1.").arg(count);
-    case LossKind::MaterialRegions: return T::tr("Parts of several materials get their first one throughout: %1.").arg(count);
-    case LossKind::Couplings: return T::tr("Couplings are left out: %1.").arg(count);
-    case LossKind::CouplingStiffness: return T::tr("Couplings become bonds that do not give: %1.").arg(count);
+      return ExportSentences::tr("Tetrahedra that are only partly tissue are written as full ones, so they are stiffer and heavier: %1.").arg(count);
+    case LossKind::MaterialRegions: return ExportSentences::tr("Parts of several materials get their first one throughout: %1.").arg(count);
+    case LossKind::Couplings: return ExportSentences::tr("Couplings are left out: %1.").arg(count);
+    case LossKind::CouplingStiffness: return ExportSentences::tr("Couplings become bonds that do not give: %1.").arg(count);
     case LossKind::BondsLeftOut:
-      return T::tr("Nodes that two couplings hold get only one of the two bonds; bonds left out: %1.").arg(count);
-    case LossKind::Contact: return T::tr("Contact between the parts is left out.");
-    case LossKind::ContactPenalty: return T::tr("Contact becomes a penalty force instead of a hard limit.");
-    case LossKind::Friction: return T::tr("Friction is left out.");
-    case LossKind::Damping: return T::tr("The damping of all materials becomes their mean.");
-    case LossKind::Exclusions: return T::tr("Which pairs of parts do not touch is left out: %1.").arg(count);
-    case LossKind::Bursae: return T::tr("Bursae are left out: %1.").arg(count);
-    case LossKind::Regions: return T::tr("Regions and landmarks are left out: %1.").arg(count);
-    case LossKind::Cages: return T::tr("Cages are left out: %1.").arg(count);
+      return ExportSentences::tr("Nodes that two couplings hold get only one of the two bonds; bonds left out: %1.").arg(count);
+    case LossKind::Contact: return ExportSentences::tr("Contact between the parts is left out.");
+    case LossKind::ContactPenalty: return ExportSentences::tr("Contact becomes a penalty force instead of a hard limit.");
+    case LossKind::Friction: return ExportSentences::tr("Friction is left out.");
+    case LossKind::Damping: return ExportSentences::tr("The damping of all materials becomes their mean.");
+    case LossKind::Exclusions: return ExportSentences::tr("Which pairs of parts do not touch is left out: %1.").arg(count);
+    case LossKind::Bursae: return ExportSentences::tr("Bursae are left out: %1.").arg(count);
+    case LossKind::Regions: return ExportSentences::tr("Regions and landmarks are left out: %1.").arg(count);
+    case LossKind::Cages: return ExportSentences::tr("Cages are left out: %1.").arg(count);
     case LossKind::FixedBones:
-      return T::tr("Rigid parts are written as fixed, since who moves is a matter of the scenario: %1.").arg(count);
-    case LossKind::Precision: return T::tr("Coordinates are rounded to single precision.");
+      return ExportSentences::tr("Rigid parts are written as fixed, since who moves is a matter of the scenario: %1.").arg(count);
+    case LossKind::Precision: return ExportSentences::tr("Coordinates are rounded to single precision.");
   }
   return {};
 }

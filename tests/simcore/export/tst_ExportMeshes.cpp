@@ -182,15 +182,15 @@ Vtu parseVtu(const std::string& text) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     const auto attributes = xml.attributes();
     if (xml.name() == u"VTKFile") {
-      EXPECT_EQ(attributes.value(u"type"), u"UnstructuredGrid");
+      EXPECT_EQ(attributes.value(QStringLiteral("type")).toString(), "UnstructuredGrid");
     } else if (xml.name() == u"Piece") {
-      vtu.points = attributes.value(u"NumberOfPoints").toLong();
-      vtu.cells = attributes.value(u"NumberOfCells").toLong();
+      vtu.points = attributes.value(QStringLiteral("NumberOfPoints")).toLong();
+      vtu.cells = attributes.value(QStringLiteral("NumberOfCells")).toLong();
     } else if (xml.name() == u"DataArray") {
-      EXPECT_EQ(attributes.value(u"format"), u"ascii");
-      const QString name = attributes.value(u"Name").toString();
+      EXPECT_EQ(attributes.value(QStringLiteral("format")).toString(), "ascii");
+      const QString name = attributes.value(QStringLiteral("Name")).toString();
       vtu.sections[name] = section;
-      vtu.types[name] = attributes.value(u"type").toString();
+      vtu.types[name] = attributes.value(QStringLiteral("type")).toString();
       std::istringstream numbers(xml.readElementText().toStdString());
       for (double x; numbers >> x;) vtu.arrays[name].push_back(x);
     } else {
