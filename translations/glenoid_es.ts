@@ -424,6 +424,109 @@
     </message>
 </context>
 <context>
+    <name>glenoid::ExportSentences</name>
+    <message>
+        <source>Rigid parts are left out: %1.</source>
+        <translation>Se omiten partes rígidas: %1.</translation>
+    </message>
+    <message>
+        <source>Surfaces are left out: %1.</source>
+        <translation>Se omiten superficies: %1.</translation>
+    </message>
+    <message>
+        <source>Volumes are left out: %1.</source>
+        <translation>Se omiten volúmenes: %1.</translation>
+    </message>
+    <message>
+        <source>Mechanical values of materials are left out: %1.</source>
+        <translation>Se omiten valores mecánicos de materiales: %1.</translation>
+    </message>
+    <message>
+        <source>The tissue law becomes neo-Hookean, with the same Young&apos;s modulus and Poisson&apos;s ratio.</source>
+        <translation>La ley del tejido pasa a ser neohookeana, con el mismo módulo de Young y el mismo coeficiente de Poisson.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra that are only partly tissue are written as full ones, so they are stiffer and heavier: %1.</source>
+        <translation>Los tetraedros que solo en parte son tejido se escriben como llenos, de modo que son más rígidos y pesados: %1.</translation>
+    </message>
+    <message>
+        <source>Parts of several materials get their first one throughout: %1.</source>
+        <translation>Las partes de varios materiales reciben en todas partes el primero: %1.</translation>
+    </message>
+    <message>
+        <source>Couplings are left out: %1.</source>
+        <translation>Se omiten acoplamientos: %1.</translation>
+    </message>
+    <message>
+        <source>Couplings become bonds that do not give: %1.</source>
+        <translation>Los acoplamientos pasan a ser uniones que no ceden: %1.</translation>
+    </message>
+    <message>
+        <source>Nodes that two couplings hold get only one of the two bonds; bonds left out: %1.</source>
+        <translation>Los nodos que sujetan dos acoplamientos reciben solo una de las dos uniones; uniones omitidas: %1.</translation>
+    </message>
+    <message>
+        <source>Contact between the parts is left out.</source>
+        <translation>Se omite el contacto entre las partes.</translation>
+    </message>
+    <message>
+        <source>Contact becomes a penalty force instead of a hard limit.</source>
+        <translation>El contacto pasa a ser una fuerza de penalización en lugar de un límite firme.</translation>
+    </message>
+    <message>
+        <source>Friction is left out.</source>
+        <translation>Se omite el rozamiento.</translation>
+    </message>
+    <message>
+        <source>The damping of all materials becomes their mean.</source>
+        <translation>El amortiguamiento de todos los materiales pasa a ser su media.</translation>
+    </message>
+    <message>
+        <source>Which pairs of parts do not touch is left out: %1.</source>
+        <translation>Se omite qué pares de partes no se tocan: %1.</translation>
+    </message>
+    <message>
+        <source>Bursae are left out: %1.</source>
+        <translation>Se omiten bolsas: %1.</translation>
+    </message>
+    <message>
+        <source>Regions and landmarks are left out: %1.</source>
+        <translation>Se omiten regiones y puntos de referencia: %1.</translation>
+    </message>
+    <message>
+        <source>Cages are left out: %1.</source>
+        <translation>Se omiten jaulas: %1.</translation>
+    </message>
+    <message>
+        <source>Rigid parts are written as fixed, since who moves is a matter of the scenario: %1.</source>
+        <translation>Las partes rígidas se escriben como fijas, ya que quién se mueve es asunto del escenario: %1.</translation>
+    </message>
+    <message>
+        <source>Coordinates are rounded to single precision.</source>
+        <translation>Las coordenadas se redondean a precisión simple.</translation>
+    </message>
+    <message>
+        <source>Gmsh mesh of the volumes</source>
+        <translation>Malla Gmsh de los volúmenes</translation>
+    </message>
+    <message>
+        <source>VTK grid of the volumes</source>
+        <translation>Malla VTK de los volúmenes</translation>
+    </message>
+    <message>
+        <source>SOFA scene</source>
+        <translation>Escena de SOFA</translation>
+    </message>
+    <message>
+        <source>FEBio model</source>
+        <translation>Modelo de FEBio</translation>
+    </message>
+    <message>
+        <source>glTF surfaces</source>
+        <translation>Superficies glTF</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::HistoryPanel</name>
     <message>
         <source>History of changes</source>
@@ -944,6 +1047,34 @@
     <message>
         <source>There is no unsaved work to recover.</source>
         <translation>No hay trabajo sin guardar que recuperar.</translation>
+    </message>
+    <message>
+        <source>Export &amp;joint…</source>
+        <translation>Exportar &amp;articulación…</translation>
+    </message>
+    <message>
+        <source>Write the joint for Gmsh, VTK, SOFA, FEBio or glTF</source>
+        <translation>Escribir la articulación para Gmsh, VTK, SOFA, FEBio o glTF</translation>
+    </message>
+    <message>
+        <source>Export the joint</source>
+        <translation>Exportar la articulación</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Exportar %1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>The joint was written to %1.</source>
+        <translation>La articulación se ha escrito en %1.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;What the file does not hold:&lt;/p&gt;&lt;ul&gt;%1&lt;/ul&gt;</source>
+        <translation>&lt;p&gt;Lo que el archivo no contiene:&lt;/p&gt;&lt;ul&gt;%1&lt;/ul&gt;</translation>
     </message>
 </context>
 <context>
