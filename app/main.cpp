@@ -66,6 +66,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(app, status);
   addRenderCommand(app, status);
   addJointCommand(app, status);
+  addMeshCommand(app, status);
   addReplayCommand(app, status);
   addBenchCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"

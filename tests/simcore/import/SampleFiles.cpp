@@ -201,6 +201,7 @@ std::string fbxBinary() {
   geometry.children.push_back(FbxNode{"PolygonVertexIndex", {}, 0, {}}.array('i', indices));
   FbxNode model{"Model", {}, 0, {}};
   model.integer(1002).text("box" + separator + "Model").text("Mesh");
+  model.children.push_back(FbxNode{"Version", {}, 0, {}}.narrow(232));
   FbxNode header{"FBXHeaderExtension", {}, 0, {FbxNode{"FBXVersion", {}, 0, {}}.narrow(7300)}};
   FbxNode settings{"GlobalSettings", {}, 0, {FbxNode{"Properties70", {}, 0, {FbxNode{"P", {}, 0, {}}.text("UnitScaleFactor").text("double").text("Number").text("").real(0.1)}}}};
   FbxNode objects{"Objects", {}, 0, {geometry, model}};
