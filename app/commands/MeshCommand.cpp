@@ -7,6 +7,7 @@
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
 #include "app/commands/MeshReport.h"
+#include "simcore/file/Json.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/ImportSurfaces.h"
 #include "simcore/import/LengthUnit.h"

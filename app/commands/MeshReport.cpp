@@ -32,12 +32,12 @@ std::string repairsText(const Finding& finding) {
   std::string out;
   for (const RepairStep& step : finding.repairs) out += (out.empty() ? "" : ",") + toWord(step);
   if (out.empty()) return {};
-  return "repair: " + out + (finding.harmless ? "" : " (on request)");
+  return text("repair: %s%s", out.c_str(), finding.harmless ? "" : " (on request)");
 }
 
 std::string surfaceText(const ImportedSurface& surface, const SurfaceDiagnosis& d, std::size_t number) {
   const double mm = 1e3 * (d.unit.metres > 0 ? d.unit.metres : 1e-3);
-  std::string out = text("  surface %zu", number) + (surface.name.empty() ? std::string() : " “" + surface.name + "”") +
+  std::string out = text("  surface %zu", number) + (surface.name.empty() ? std::string() : text(" “%s”", surface.name.c_str())) +
                     text(": %d vertices, %d triangles, %d shell%s (%d closed), side %s\n", d.vertices, d.triangles, d.shells,
                          d.shells == 1 ? "" : "s", d.closedShells, sideName(d.side.side));
   out += "    " + sizeText(d) + "\n";
@@ -83,7 +83,7 @@ Json surfaceJson(const ImportedSurface& surface, const SurfaceDiagnosis& d) {
 
 std::string meshInfoText(const std::string& path, const ImportedFile& file, const std::vector<SurfaceDiagnosis>& diagnoses) {
   std::string out = path + ": " + file.format + text(", %zu surface%s", file.surfaces.size(), file.surfaces.size() == 1 ? "" : "s") +
-                    (file.metresPerUnit ? ", unit " + unitName(*file.metresPerUnit) : std::string(", no unit named")) + "\n";
+                    text(", unit %s", file.metresPerUnit ? unitName(*file.metresPerUnit).c_str() : "not named") + "\n";
   for (const NoteCount& note : file.notes) out += text("  %-28s %ld\n", importNoteName(note.note), note.count);
   for (std::size_t i = 0; i < file.surfaces.size(); ++i) out += surfaceText(file.surfaces[i], diagnoses[i], i + 1);
   return out;
