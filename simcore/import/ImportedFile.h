@@ -12,7 +12,7 @@ namespace glenoid {
 enum class ImportNote {
   PolygonsSplit,      ///< faces of more than three corners were cut into triangles
   StripsSplit,        ///< triangle strips were cut into triangles
-  PointsJoined,       ///< points at the very same place became one
+  PointsJoined,       ///< points at the very same place became one: where the reader repeats a point for each face
   NodesMoved,         ///< surfaces carried a transform, which was applied
   NodesMirrored,      ///< … one that mirrors, so the winding was turned back
   LinesDropped,

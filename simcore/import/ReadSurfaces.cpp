@@ -18,7 +18,6 @@ Result<ImportedFile> parsePlySurface(std::string_view bytes, const std::string& 
   ImportedFile file;
   file.format = "PLY";
   addNote(file.notes, ImportNote::PolygonsSplit, notes.polygonsSplit);
-  addNote(file.notes, ImportNote::PointsJoined, joinIdenticalPoints(*mesh));
   file.surfaces.push_back({{}, std::move(*mesh)});
   return file;
 }

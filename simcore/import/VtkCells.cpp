@@ -42,7 +42,6 @@ Result<ImportedFile> VtkCells::finish(const char* format) {
   ImportedFile out;
   out.format = format;
   out.notes = std::move(m_notes);
-  addNote(out.notes, ImportNote::PointsJoined, joinIdenticalPoints(m_mesh));
   out.surfaces.push_back({{}, std::move(m_mesh)});
   return out;
 }

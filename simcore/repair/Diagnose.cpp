@@ -156,7 +156,7 @@ class Diagnosing {
     });
     if (health.nonManifoldEdges > 0) {
       Finding& finding = add(FindingKind::NonManifoldEdges, Severity::Blocks, health.nonManifoldEdges);
-      finding.repairs = {{RepairKind::Orient}, {RepairKind::SplitNonManifold}, {RepairKind::DropSmall, 0.01}, {RepairKind::FillHoles}};
+      finding.repairs = {{RepairKind::Orient}, {RepairKind::SplitNonManifold}, {RepairKind::DropSheets, 0.02}, {RepairKind::DropSmall, 0.01}, {RepairKind::FillHoles}};
       finding.harmless = true;
       mark(finding, std::move(crowded));
     }
@@ -304,7 +304,7 @@ std::vector<RepairStep> automaticRepairs(const SurfaceDiagnosis& diagnosis) {
     return std::any_of(wanted.begin(), wanted.end(), [&](const RepairStep& step) { return step.kind == kind; });
   };
   for (const RepairKind kind : {RepairKind::Weld, RepairKind::DropDegenerate, RepairKind::DropDuplicates, RepairKind::Orient,
-                                RepairKind::SplitNonManifold, RepairKind::DropSmall, RepairKind::FillHoles})
+                                RepairKind::SplitNonManifold, RepairKind::DropSheets, RepairKind::DropSmall, RepairKind::FillHoles})
     take(kind);
   if (has(RepairKind::FillHoles)) {
     ordered.push_back({RepairKind::DropDegenerate});  // a crack closes to a face without area

@@ -135,6 +135,8 @@ TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left) {
     long filled = 0, holes = 0;
     double length = 0;
     tried = withoutHoles(tried, 0, filled, holes, length);
+    long flat = 0, flatLeft = 0;
+    tried = withoutDegenerate(tried, flat, flatLeft);
     const std::size_t cuts = selfCuts(tried).size();
     if (cuts < bestCuts && openIn(tried) <= openBefore) {
       best = tried;

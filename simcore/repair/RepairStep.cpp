@@ -27,6 +27,7 @@ constexpr std::array<Word, kRepairKindCount> kWords{{{RepairKind::Weld, "weld", 
                                                      {RepairKind::FillHoles, "fillHoles", Word::MayAmount},
                                                      {RepairKind::KeepLargest, "keepLargest", Word::Nothing},
                                                      {RepairKind::DropSmall, "dropSmall", Word::MayAmount},
+                                                     {RepairKind::DropSheets, "dropSheets", Word::MayAmount},
                                                      {RepairKind::KeepSide, "keepSide", Word::SignedAxis},
                                                      {RepairKind::RemoveSelfIntersections, "removeSelfIntersections", Word::Nothing},
                                                      {RepairKind::Thicken, "thicken", Word::Amount},
@@ -50,6 +51,18 @@ TriMesh ofArea(const TriMesh& mesh, const Shells& shells, double least, bool onl
     dropped += !keepShell[s];
   }
   for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = keepShell[shells.ofTriangle[t]];
+  return withTriangles(mesh, keep);
+}
+
+TriMesh withoutSheets(const TriMesh& mesh, double share, long& dropped, long& left) {
+  const Shells shells = findShells(mesh, sidesOf(mesh.triangles));
+  double largest = 0;
+  for (const Shell& shell : shells.list)
+    if (!shell.sheet()) largest = std::max(largest, shell.area);
+  std::vector<char> keep(mesh.triangles.size());
+  const auto stays = [&](const Shell& shell) { return !shell.sheet() || shell.area > share * largest; };
+  for (const Shell& shell : shells.list) (stays(shell) ? left : dropped) += shell.sheet();
+  for (std::size_t t = 0; t < keep.size(); ++t) keep[t] = stays(shells.list[shells.ofTriangle[t]]);
   return withTriangles(mesh, keep);
 }
 
@@ -90,6 +103,9 @@ Result<TriMesh> take(const TriMesh& mesh, const RepairStep& step, RepairChange& 
       const bool one = step.kind == RepairKind::KeepLargest;
       return ofArea(mesh, shells, one ? largest : largest * (step.amount > 0 ? step.amount : 0.01), one, change.changed);
     }
+    case RepairKind::DropSheets:
+      if (!(step.amount >= 0 && step.amount <= 1)) return outOfRange(step, "0");
+      return withoutSheets(mesh, step.amount > 0 ? step.amount : 0.02, change.changed, change.left);
     case RepairKind::KeepSide: return ofSide(mesh, step, change.changed);
     case RepairKind::RemoveSelfIntersections: return withoutSelfCuts(mesh, change.changed, change.left);
     case RepairKind::Thicken:
@@ -231,20 +247,18 @@ std::vector<TriMesh> shellsOf(const TriMesh& mesh) {
   std::vector<std::vector<std::array<int, 3>>> parts(order.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) parts[shells.ofTriangle[t]].push_back(mesh.triangles[t]);
   std::vector<TriMesh> out;
-  std::vector<int> number(mesh.vertices.size(), -1), owner(mesh.vertices.size(), -1);
+  std::vector<int> number(mesh.vertices.size(), -1);
   for (const int s : order) {  // each only touches its own vertices: thousands of shells cost no more than one
     TriMesh piece;
-    for (auto t : parts[s]) {
-      for (int& v : t) {
-        if (owner[v] != s) {
-          owner[v] = s;
-          number[v] = static_cast<int>(piece.vertices.size());
-          piece.vertices.push_back(mesh.vertices[v]);
-        }
-        v = number[v];
-      }
-      piece.triangles.push_back(t);
+    std::vector<int> used;
+    for (const auto& t : parts[s]) used.insert(used.end(), t.begin(), t.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const int v : used) {
+      number[v] = static_cast<int>(piece.vertices.size());
+      piece.vertices.push_back(mesh.vertices[v]);
     }
+    for (const auto& t : parts[s]) piece.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
     out.push_back(std::move(piece));
   }
   return out;

@@ -21,6 +21,7 @@ enum class RepairKind {
   FillHoles,               ///< amount: longest loop that is closed; 0: all
   KeepLargest,
   DropSmall,               ///< amount: share of the largest shell's area below which a piece goes; 0: 0.01
+  DropSheets,              ///< amount: pieces without thickness go, where others have some, up to this share of the largest's area; 0: 0.02
   KeepSide,                ///< axis and its sign in `axis`: one of two body sides
   RemoveSelfIntersections,
   Thicken,                 ///< amount: thickness, > 0

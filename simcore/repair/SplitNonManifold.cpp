@@ -36,23 +36,26 @@ std::vector<Leaf> leavesOf(const TriMesh& mesh, std::span<const TriangleSide> ed
   return leaves;
 }
 
-}  // namespace
+enum class Keep { Inside, Outside };
 
-TriMesh withoutCrowdedEdges(const TriMesh& mesh, long& changed) {
-  const auto sides = sidesOf(mesh.triangles);
+/// The cut with one decision for each crowded edge, in the order of the edges.
+TriMesh cut(const TriMesh& mesh, const std::vector<TriangleSide>& sides, const std::vector<Keep>& decisions) {
   DisjointSets corners(3 * mesh.triangles.size());
   const auto joinAt = [&](const TriangleSide& s, const TriangleSide& t) {
     for (const int v : {s.low, s.high}) corners.join(cornerOf(mesh, s.triangle, v), cornerOf(mesh, t.triangle, v));
   };
+  std::size_t crowded = 0;
   forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
     if (edge.size() == 2) joinAt(edge[0], edge[1]);
     if (edge.size() <= 2) return;
     // Seen along the edge, a triangle that runs backwards has the inside on the side of growing angles, one that runs
-    // forwards on the other: these two belong together when nothing is between them.
+    // forwards on the other. Two that follow each other so have nothing but inside between them; the other way round
+    // nothing but outside.
+    const bool inside = decisions[crowded++] == Keep::Inside;
     const std::vector<Leaf> leaves = leavesOf(mesh, edge);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       const TriangleSide &here = *leaves[i].side, &next = *leaves[(i + 1) % leaves.size()].side;
-      if (!here.forward && next.forward) joinAt(here, next);
+      if (here.forward != inside && next.forward == inside) joinAt(here, next);
     }
   });
   TriMesh out = mesh;
@@ -71,8 +74,53 @@ TriMesh withoutCrowdedEdges(const TriMesh& mesh, long& changed) {
     }
     out.triangles[c / 3][c % 3] = vertexOfSet[set];
   }
-  changed = static_cast<long>(out.vertices.size() - mesh.vertices.size());
   return out;
+}
+
+/// What a cut costs, as a length: rims that are left in bodies, and pieces that enclose nothing.
+double costOf(const TriMesh& mesh) {
+  double cost = 0;
+  for (const Shell& shell : findShells(mesh, sidesOf(mesh.triangles)).list) cost += shell.sheet() ? std::sqrt(shell.area) : shell.openLength;
+  return cost;
+}
+
+}  // namespace
+
+TriMesh withoutCrowdedEdges(const TriMesh& mesh, long& changed) {
+  const auto sides = sidesOf(mesh.triangles);
+  // Crowded edges that hang together are decided together.
+  std::vector<std::array<int, 2>> crowded;
+  forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
+    if (edge.size() > 2) crowded.push_back({edge[0].low, edge[0].high});
+  });
+  DisjointSets chains(mesh.vertices.size());
+  for (const auto& edge : crowded) chains.join(edge[0], edge[1]);
+  std::vector<int> roots;
+  for (const auto& edge : crowded) roots.push_back(chains.root(edge[0]));
+  std::vector<int> each = roots;
+  std::sort(each.begin(), each.end());
+  each.erase(std::unique(each.begin(), each.end()), each.end());
+  std::vector<Keep> decisions(crowded.size(), Keep::Inside);
+  TriMesh best = cut(mesh, sides, decisions);
+  if (!crowded.empty()) {
+    double bestCost = costOf(best);
+    const auto attempt = [&](int root) {  // −1: all
+      std::vector<Keep> other = decisions;
+      for (std::size_t i = 0; i < other.size(); ++i)
+        if (root < 0 || roots[i] == root) other[i] = Keep::Outside;
+      TriMesh tried = cut(mesh, sides, other);
+      if (const double cost = costOf(tried); cost < bestCost) {
+        bestCost = cost;
+        best = std::move(tried);
+        decisions = std::move(other);
+      }
+    };
+    constexpr std::size_t kMostChains = 24;  // each attempt looks at the whole surface
+    if (each.size() > kMostChains) attempt(-1);
+    else for (const int root : each) attempt(root);
+  }
+  changed = static_cast<long>(best.vertices.size() - mesh.vertices.size());
+  return best;
 }
 
 }  // namespace glenoid

@@ -70,12 +70,18 @@ TriMesh withThickWalls(const TriMesh& mesh, double thickness, long& moved) {
       }
       shift = next;
     }
-    TriMesh tried = out;
-    for (std::size_t v = 0; v < shift.size(); ++v) tried.vertices[v] += std::max(0.0, shift[v]) * normals[v];
-    const std::size_t cutsNow = selfCuts(tried).size();
-    if (cutsNow > cuts) break;  // further would fold the surface into itself
-    cuts = cutsNow;
-    out = std::move(tried);
+    // A whole step may fold the surface into itself, as at a rim; a part of it need not.
+    bool stepped = false;
+    for (double part = 1; part > 0.1 && !stepped; part /= 2) {
+      TriMesh tried = out;
+      for (std::size_t v = 0; v < shift.size(); ++v) tried.vertices[v] += part * std::max(0.0, shift[v]) * normals[v];
+      const std::size_t cutsNow = selfCuts(tried).size();
+      if (cutsNow > cuts) continue;
+      cuts = cutsNow;
+      out = std::move(tried);
+      stepped = true;
+    }
+    if (!stepped) break;
     for (std::size_t v = 0; v < shift.size(); ++v) touched[v] = touched[v] || shift[v] > 0;
   }
   moved = static_cast<long>(std::count(touched.begin(), touched.end(), 1));

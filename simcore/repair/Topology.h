@@ -6,9 +6,10 @@ namespace glenoid {
 
 /// Repairs of how triangles hang together. Each takes a readable mesh and keeps its triangles in their order.
 
-/// Cuts the surface apart at edges of three and more triangles and at pinched vertices. At an edge those triangles stay
-/// together that have the inside between them, so that two bodies which touch become two; a triangle without partner
-/// is left with an open side. Vertices are doubled where they stand. `changed`: vertices added.
+/// Cuts the surface apart at edges of three and more triangles and at pinched vertices. At each chain of such edges
+/// either those triangles stay together that have the inside between them (two bodies which touch become two), or those
+/// with the outside between them (a wall inside a body comes free), whichever leaves shorter rims and smaller scraps; a
+/// triangle without partner gets an open side. Vertices are doubled where they stand. `changed`: vertices added.
 /// Source of the cutting: Guéziec, Taubin, Lazarus and Horn, "Converting sets of polygons to manifold surfaces by cutting
 /// and stitching", 1998.
 TriMesh withoutCrowdedEdges(const TriMesh& mesh, long& changed);

@@ -119,6 +119,18 @@ TEST(ImportSurfaces, aBufferOutsideTheFilesFolderIsNotOpened) {
   EXPECT_FALSE(file.ok());
 }
 
+TEST(ImportSurfaces, twinsOfAFormatWithIndicesAreMeant) {
+  // Two tetrahedra that touch at a point, each with its own copy of it.
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\nelement face 8\n"
+                          "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n-1 0 0\n0 -1 0\n0 0 -1\n"
+                          "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6\n3 4 7 5\n3 4 6 7\n3 5 7 6\n";
+  const TemporaryFolder folder;
+  const auto file = importSurfaces(folder.put("two.ply", ply));
+  ASSERT_TRUE(file.ok()) << toLogLine(file.error());
+  EXPECT_EQ(file->surfaces[0].mesh.vertices.size(), 8u);
+  EXPECT_TRUE(file->notes.empty());
+}
+
 TEST(ImportSurfaces, numbersThatAreNoneAreRefused) {
   const TemporaryFolder folder;
   std::string bad = samples::stlBinary();
