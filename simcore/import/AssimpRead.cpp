@@ -73,7 +73,9 @@ void keepLoaders(Assimp::Importer& importer, const std::string& ending) {
 
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, const std::string& file, long long most) : m_scene(scene), m_file(file), m_most(most) {}
+  /// `ownNormals`: normals that are more than those of the triangles, as an STL's are not.
+  SceneReader(const aiScene& scene, const std::string& file, long long most, bool ownNormals)
+      : m_scene(scene), m_file(file), m_most(most), m_ownNormals(ownNormals) {}
 
   Result<ImportedFile> read() {
     countWhatIsLost();
@@ -103,7 +105,7 @@ class SceneReader {
   void countWhatIsLost() {
     for (unsigned i = 0; i < m_scene.mNumMeshes; ++i) {
       const aiMesh& mesh = *m_scene.mMeshes[i];
-      note(ImportNote::NormalsDropped, mesh.HasNormals());
+      note(ImportNote::NormalsDropped, m_ownNormals && mesh.HasNormals());
       note(ImportNote::TexturesDropped, mesh.HasTextureCoords(0));
       note(ImportNote::ColoursDropped, mesh.HasVertexColors(0));
       note(ImportNote::AnimationsDropped, mesh.mNumBones + mesh.mNumAnimMeshes);
@@ -170,6 +172,7 @@ class SceneReader {
   const aiScene& m_scene;
   const std::string& m_file;
   long long m_most, m_triangles = 0;
+  bool m_ownNormals;
   ImportedFile m_out;
   Error m_error;
 };
@@ -217,7 +220,7 @@ Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, 
   const long polygons = polygonsIn(*scene);
   if (polygons > 0) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) return refused();
-  Result<ImportedFile> out = SceneReader(*scene, path, triangles).read();
+  Result<ImportedFile> out = SceneReader(*scene, path, triangles, format != MeshFormat::Stl).read();
   if (!out) return out;
   out->format = formatName(format);
   addNote(out->notes, ImportNote::PolygonsSplit, polygons);
