@@ -8,9 +8,9 @@
 namespace glenoid::testing {
 namespace {
 
-/// A box of 30 × 40 × 155 mm, wound inwards, its top missing, in centimetres.
+/// A box of 10 × 12 × 155 mm, wound inwards, its top missing, in centimetres.
 std::string openBox() {
-  return "o scapula_right\nv 0 0 0\nv 3 0 0\nv 0 4 0\nv 3 4 0\nv 0 0 15.5\nv 3 0 15.5\nv 0 4 15.5\nv 3 4 15.5\n"
+  return "o scapula_right\nv 0 0 0\nv 1 0 0\nv 0 1.2 0\nv 1 1.2 0\nv 0 0 15.5\nv 1 0 15.5\nv 0 1.2 15.5\nv 1 1.2 15.5\n"
          "f 2 4 3 1\nf 5 6 2 1\nf 4 8 7 3\nf 3 7 5 1\nf 6 8 4 2\n";
 }
 
@@ -50,9 +50,9 @@ TEST(MeshCommand, repairWritesASoundSurfaceInMetres) {
   ASSERT_EQ(info.status, 0) << info.err;
   const auto surface = nlohmann::json::parse(info.out)[0]["surfaces"][0];
   EXPECT_TRUE(surface["healthy"]);
-  EXPECT_NEAR(surface["volume"].get<double>(), 0.03 * 0.04 * 0.155, 1e-9);
+  EXPECT_NEAR(surface["volume"].get<double>(), 0.01 * 0.012 * 0.155, 1e-9);
   EXPECT_NEAR(surface["high"][1].get<double>(), 0.155, 1e-9);
-  EXPECT_NEAR(surface["low"][0].get<double>(), -0.04, 1e-9);
+  EXPECT_NEAR(surface["low"][0].get<double>(), -0.012, 1e-9);
 }
 
 TEST(MeshCommand, whatRemainsIsSaidByTheStatus) {
