@@ -66,6 +66,7 @@ int runProgram(int argc, char** argv) {
   addRunCommand(app, status);
   addRenderCommand(app, status);
   addJointCommand(app, status);
+  addMeshCommand(app, status);
   addReplayCommand(app, status);
   addExportCommand(app, status);
   addBenchCommand(app, status);

@@ -11,6 +11,17 @@
 namespace glenoid {
 namespace {
 
+/// What files of other programs lost and what was mended.
+void printSources(const std::vector<SourceReport>& sources) {
+  for (const SourceReport& source : sources) {
+    std::printf("import: %s from %s (%s, %g m per unit), %ld triangles of %ld", source.part.c_str(), source.file.c_str(), source.format.c_str(),
+                source.metresPerUnit, source.trianglesAfter, source.trianglesBefore);
+    for (const NoteCount& note : source.notes) std::printf("; %s %ld", importNoteName(note.note), note.count);
+    for (const RepairChange& change : source.changes) std::printf("; %s changed %ld, left %ld", toWord(change.step).c_str(), change.changed, change.left);
+    std::putchar('\n');
+  }
+}
+
 void printStart(const SeparationOutcome& start, const Joint& joint) {
   const StartProof& proof = start.check.proof;
   std::printf("start: %d overlaps up to %.2f mm deep before; %d sweeps moved %zu cages, surfaces by up to %.2f mm\n", start.overlapsBefore,
@@ -27,8 +38,10 @@ void printStart(const SeparationOutcome& start, const Joint& joint) {
 }  // namespace
 
 Result<Done> buildJointFile(const std::string& recipeFile, const std::string& meshes, const std::string& out) {
-  const Result<JointRecipe> recipe = loadRecipe(recipeFile, meshes);
+  std::vector<SourceReport> sources;
+  const Result<JointRecipe> recipe = loadRecipe(recipeFile, meshes, &sources);
   if (!recipe) return recipe.error();
+  printSources(sources);
   BuildReport report;
   Result<Joint> joint = Error{};
   {

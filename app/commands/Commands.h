@@ -11,6 +11,7 @@ namespace glenoid {
 void addRunCommand(CLI::App& app, int& status);
 void addRenderCommand(CLI::App& app, int& status);
 void addJointCommand(CLI::App& app, int& status);
+void addMeshCommand(CLI::App& app, int& status);
 void addReplayCommand(CLI::App& app, int& status);
 void addExportCommand(CLI::App& app, int& status);
 void addBenchCommand(CLI::App& app, int& status);

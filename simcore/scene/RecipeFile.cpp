@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/scene/RecipeFile.h"
 
-#include <filesystem>
-#include <map>
-
-#include "simcore/file/Ply.h"
 #include "simcore/file/Schema.h"
 #include "simcore/scene/JointCheck.h"
 #include "simcore/scene/SceneJson.h"
@@ -12,7 +8,6 @@
 namespace glenoid {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace scene_json;
 
 /// Everything but the meshes.
@@ -110,33 +105,20 @@ Result<Done> checkWishes(const PartRecipe& part, const std::string& pointer, con
   return Done{};
 }
 
-using Surfaces = std::map<std::string, std::shared_ptr<const TriMesh>>;
-
-Result<std::shared_ptr<const TriMesh>> loadSurface(const std::string& name, const std::string& meshes,
-                                                   const Place& place, Surfaces& known) {
-  if (!staysInside(name)) return Error{Fault::BadReference, place, {name}, {}};
-  if (const auto found = known.find(name); found != known.end()) return found->second;
-  Result<TriMesh> mesh = readPly((fs::path(meshes) / name).string());
-  if (!mesh) {
-    mesh.error().place.part = place.part;
-    return mesh.error();
-  }
-  return known[name] = std::make_shared<const TriMesh>(std::move(*mesh));
-}
-
 }  // namespace
 
-Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshes) {
+Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshes, std::vector<SourceReport>* reports) {
   const Result<JsonValue> json = readDocument(path, Schema::Recipe);
   if (!json) return json.error();
   JointRecipe recipe = toRecipe(*json);
   if (const auto good = joint_check::checkValues(withoutMeshes(recipe, *json), path); !good) return good.error();
-  Surfaces known;
+  RecipeSurfaces surfaces(meshes, (*json)["source"]);
   for (std::size_t i = 0; i < recipe.parts.size(); ++i) {
     PartRecipe& part = recipe.parts[i];
     const std::string pointer = pointerTo("/parts", i);
     if (const auto good = checkWishes(part, pointer, path); !good) return good.error();
-    auto visual = loadSurface(part.visualFile, meshes, {path, pointer + "/visual", part.id, {}}, known);
+    const JsonValue& source = (*json)["parts"][i]["source"];
+    auto visual = surfaces.load(part.visualFile, source, {path, pointer + "/visual", part.id, {}}, true);
     if (!visual) return visual.error();
     part.visual = std::move(*visual);
     const auto size = static_cast<long long>(part.visual->triangles.size());
@@ -151,11 +133,11 @@ Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshe
                      {}};
     }
     if (part.collisionFile.empty()) continue;
-    auto collision =
-        loadSurface(part.collisionFile, meshes, {path, pointer + "/collision", part.id, {}}, known);
+    auto collision = surfaces.load(part.collisionFile, source, {path, pointer + "/collision", part.id, {}}, false);
     if (!collision) return collision.error();
     part.collision = std::move(*collision);
   }
+  if (reports) *reports = surfaces.reports();
   return recipe;
 }
 

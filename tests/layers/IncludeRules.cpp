@@ -84,11 +84,11 @@ const std::vector<Library>& libraries() {
       {"meshoptimizer", std::regex("^meshoptimizer.*"), {"simcore/mesh"}},
       {"SuiteSparse", std::regex("^(suitesparse/.*|cholmod\\w*\\.h|amd\\.h|SuiteSparse\\w*\\.h|.*CholmodSupport)$"),
        {"simcore/linear"}},
-      {"assimp", std::regex("^assimp/.*"), {"simcore/file"}},
+      {"assimp", std::regex("^assimp/.*"), {"simcore/import"}},
       {"valijson", std::regex("^valijson/.*"), {"simcore/file"}},
       {"nlohmann", std::regex("^nlohmann/.*"), {"simcore/file"}},
       {"xxHash", std::regex("^xxh.*"), {"simcore/base"}},
-      {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "editor/render"}},
+      {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "simcore/import", "editor/render"}},
       {"libepoxy", std::regex("^(epoxy|GL|EGL|GLES\\w*)/.*"), {"editor/render"}},
       {"CLI11", std::regex("^CLI/.*"), {"app"}},
   };
@@ -135,9 +135,9 @@ std::string folderOf(const std::string& path) {
 }
 
 const std::vector<std::string>& simcoreOrder() {
-  static const std::vector<std::string> order = {"base", "linear", "mesh", "spatial", "file", "embed", "scene",
-                                                 "fem", "body", "tool", "coupling", "collide", "contact", "step", "author", "check", "export",
-                                                 "haptic", "live", "train", "study"};
+  static const std::vector<std::string> order = {"base", "linear", "mesh", "spatial", "file", "import", "repair", "embed",
+                                                 "scene", "fem", "body", "tool", "coupling", "collide", "contact", "step",
+                                                 "author", "check", "export", "haptic", "live", "train", "study"};
   return order;
 }
 

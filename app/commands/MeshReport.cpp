@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/MeshReport.h"
+
+#include "app/commands/Console.h"
+#include "app/commands/JsonObject.h"
+#include "simcore/import/LengthUnit.h"
+
+namespace glenoid {
+namespace {
+
+using Json = JsonValue;
+
+std::string unitName(double metres) {
+  const std::string_view word = unitWord(metres);
+  return word.empty() ? text("%g m", metres) : std::string(word);
+}
+
+std::string sizeText(const SurfaceDiagnosis& d) {
+  if (d.box.isEmpty()) return {};
+  const Vec3 size = d.box.sizes();
+  std::string out = text("%.5g × %.5g × %.5g units", size.x(), size.y(), size.z());
+  if (d.unit.metres > 0) {
+    const Vec3 mm = 1e3 * d.unit.metres * size;
+    out += std::string(", ") + (std::string_view(d.unit.reason) == "file" ? "as the file says in " : "probably in ") + unitName(d.unit.metres) +
+           text(": %.4g × %.4g × %.4g mm", mm.x(), mm.y(), mm.z());
+    if (std::string_view(d.unit.reason) != "file") out += text(" (%.0f %%, by %s)", 100 * d.unit.confidence, d.unit.reason);
+  }
+  return out;
+}
+
+std::string repairsText(const Finding& finding) {
+  std::string out;
+  for (const RepairStep& step : finding.repairs) out += (out.empty() ? "" : ",") + toWord(step);
+  if (out.empty()) return {};
+  return text("repair: %s%s", out.c_str(), finding.harmless ? "" : " (on request)");
+}
+
+std::string surfaceText(const ImportedSurface& surface, const SurfaceDiagnosis& d, std::size_t number) {
+  const double mm = 1e3 * (d.unit.metres > 0 ? d.unit.metres : 1e-3);
+  std::string out = text("  surface %zu", number) + (surface.name.empty() ? std::string() : text(" “%s”", surface.name.c_str())) +
+                    text(": %d vertices, %d triangles, %d shell%s (%d closed), side %s\n", d.vertices, d.triangles, d.shells,
+                         d.shells == 1 ? "" : "s", d.closedShells, sideName(d.side.side));
+  out += "    " + sizeText(d) + "\n";
+  out += text("    area %.4g mm², volume %.4g mm³, genus %s, walls %.3g mm at least, %.3g mm in the middle\n", d.area * mm * mm,
+              d.volume * mm * mm * mm, d.genus < 0 ? "-" : text("%d", d.genus).c_str(), d.thicknessLeast * mm, d.thicknessMedian * mm);
+  for (const Finding& finding : d.findings) {
+    if (finding.kind == FindingKind::Unit && finding.severity == Severity::Note) continue;  // said above
+    std::string what = text("%ld", finding.count);
+    if (finding.kind == FindingKind::Holes) what += text(" (longest %.3g mm around)", finding.measure * mm);
+    if (finding.kind == FindingKind::Thin) what += text(" (%.3g mm in the middle)", finding.measure * mm);
+    out += text("    %-8s %-22s %-30s ", severityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding) + "\n";
+  }
+  return out + (d.healthy() ? "    healthy: closed, manifold, wound outwards\n" : "    not fit to be simulated as it is\n");
+}
+
+Json vectorJson(const Vec3& v) {
+  Json json = Json::array();
+  for (const double x : v) json.append(x);
+  return json;
+}
+
+Json surfaceJson(const ImportedSurface& surface, const SurfaceDiagnosis& d) {
+  Json findings = Json::array();
+  for (const Finding& finding : d.findings) {
+    Json repairs = Json::array();
+    for (const RepairStep& step : finding.repairs) repairs.append(toWord(step));
+    findings.append(jsonObject({{"kind", findingName(finding.kind)}, {"severity", severityName(finding.severity)}, {"count", finding.count},
+                                {"measure", finding.measure}, {"repairs", repairs}, {"harmless", finding.harmless},
+                                {"triangles", static_cast<long>(finding.triangles.size())}}));
+  }
+  Json automatic = Json::array();
+  for (const RepairStep& step : automaticRepairs(d)) automatic.append(toWord(step));
+  return jsonObject({{"name", surface.name}, {"vertices", d.vertices}, {"triangles", d.triangles}, {"low", d.box.isEmpty() ? Json() : vectorJson(d.box.min())},
+                     {"high", d.box.isEmpty() ? Json() : vectorJson(d.box.max())}, {"metresPerUnit", d.unit.metres}, {"unitConfidence", d.unit.confidence},
+                     {"unitReason", d.unit.reason}, {"side", sideName(d.side.side)}, {"sideReason", d.side.reason}, {"shells", d.shells},
+                     {"closedShells", d.closedShells}, {"genus", d.genus < 0 ? Json() : Json(d.genus)}, {"holes", d.holes}, {"openEdges", d.openEdges},
+                     {"longestHole", d.longestHole}, {"area", d.area}, {"volume", d.volume}, {"thicknessLeast", d.thicknessLeast},
+                     {"thicknessMedian", d.thicknessMedian}, {"selfIntersections", d.selfIntersections}, {"healthy", d.healthy()},
+                     {"findings", findings}, {"automaticRepairs", automatic}});
+}
+
+}  // namespace
+
+std::string meshInfoText(const std::string& path, const ImportedFile& file, const std::vector<SurfaceDiagnosis>& diagnoses) {
+  std::string out = path + ": " + file.format + text(", %zu surface%s", file.surfaces.size(), file.surfaces.size() == 1 ? "" : "s") +
+                    text(", unit %s", file.metresPerUnit ? unitName(*file.metresPerUnit).c_str() : "not named") + "\n";
+  for (const NoteCount& note : file.notes) out += text("  %-28s %ld\n", importNoteName(note.note), note.count);
+  for (std::size_t i = 0; i < file.surfaces.size(); ++i) out += surfaceText(file.surfaces[i], diagnoses[i], i + 1);
+  return out;
+}
+
+JsonValue meshInfoJson(const std::string& path, const ImportedFile& file, const std::vector<SurfaceDiagnosis>& diagnoses) {
+  Json notes = Json::object(), surfaces = Json::array();
+  for (const NoteCount& note : file.notes) notes.set(importNoteName(note.note), note.count);
+  for (std::size_t i = 0; i < file.surfaces.size(); ++i) surfaces.append(surfaceJson(file.surfaces[i], diagnoses[i]));
+  return jsonObject({{"file", path}, {"format", file.format}, {"metresPerUnit", file.metresPerUnit ? Json(*file.metresPerUnit) : Json()},
+                     {"notes", notes}, {"surfaces", surfaces}});
+}
+
+std::string repairText(const std::vector<RepairChange>& changes) {
+  std::string out;
+  for (const RepairChange& change : changes) {
+    out += text("  %-26s %6ld changed, %6ld left, %ld → %ld triangles", toWord(change.step).c_str(), change.changed, change.left,
+                change.trianglesBefore, change.trianglesAfter);
+    if (change.step.kind == RepairKind::Thicken) out += text(", walls now %.4g in the middle", change.measure);
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/import/VtkSurface.h"
+
+#include <gtest/gtest.h>
+
+#include "simcore/import/PolygonSplit.h"
+#include "simcore/mesh/MeshHealth.h"
+#include "tests/simcore/import/SampleFiles.h"
+
+namespace glenoid {
+namespace {
+
+void expectBox(const Result<ImportedFile>& file, const std::string& what) {
+  ASSERT_TRUE(file.ok()) << what << ": " << toLogLine(file.error());
+  const MeshHealth health = healthOf(file->surfaces[0].mesh);
+  EXPECT_TRUE(health.healthy()) << what;
+  EXPECT_EQ(health.triangles, 12) << what;
+  EXPECT_DOUBLE_EQ(health.volume, 6) << what;
+}
+
+TEST(VtkSurface, legacyTextAndBinaryOfBothGenerations) {
+  for (const bool binary : {false, true})
+    for (const bool offsets : {false, true})
+      expectBox(parseVtkSurface(samples::vtk(binary, offsets), "box.vtk"), std::to_string(binary) + std::to_string(offsets));
+}
+
+TEST(VtkSurface, everyPackingOfVtp) {
+  using samples::VtpForm;
+  for (const VtpForm form : {VtpForm::Ascii, VtpForm::Binary, VtpForm::BinaryZlib, VtpForm::AppendedRaw, VtpForm::AppendedRawZlib,
+                             VtpForm::AppendedBase64, VtpForm::AppendedBase64Zlib})
+    for (const bool wide : {false, true})
+      for (const bool big : {false, true})
+        expectBox(parseVtp(samples::vtp(form, wide, big), "box.vtp"),
+                  "form " + std::to_string(static_cast<int>(form)) + (wide ? " wide" : "") + (big ? " big" : ""));
+}
+
+TEST(VtkSurface, stripsKeepTheirWinding) {
+  const std::string text = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 0 1 0 1 0 0 1 1 0 0.5 2 0\n"
+                           "TRIANGLE_STRIPS 1 6\n5 0 2 1 3 4\nLINES 1 3\n2 0 1\nVERTICES 1 2\n1 0\n";
+  const auto file = parseVtkSurface(text, "strip.vtk");
+  ASSERT_TRUE(file.ok()) << toLogLine(file.error());
+  const TriMesh& mesh = file->surfaces[0].mesh;
+  ASSERT_EQ(mesh.triangles.size(), 3u);
+  double turn = 0;
+  for (const auto& t : mesh.triangles) {
+    const double z = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).z();
+    EXPECT_GT(std::abs(z), 0);
+    EXPECT_GE(z * turn, 0);
+    turn = z;
+  }
+  EXPECT_EQ(file->notes, (std::vector<NoteCount>{{ImportNote::StripsSplit, 1}, {ImportNote::LinesDropped, 1}, {ImportNote::PointsDropped, 1}}));
+}
+
+TEST(VtkSurface, otherDataSetsAndLiesAreNamed) {
+  struct Slip {
+    const char *what, *by;
+    Fault fault;
+  };
+  for (const Slip& slip : {Slip{"POLYDATA", "UNSTRUCTURED_GRID", Fault::BadMesh}, Slip{"# vtk", "# wtk", Fault::UnknownFormat},
+                           Slip{"POINTS 8", "POINTS 99999999", Fault::FileTruncated}, Slip{"POLYGONS 6 30", "POLYGONS 6 31", Fault::BadMesh},
+                           Slip{"4 0 2 3 1", "4 0 2 3 8", Fault::BadIndex}, Slip{"POINTS 8 float\n0", "POINTS 8 float\nnan", Fault::NotFinite},
+                           Slip{"ASCII", "MORSE", Fault::BadMesh}}) {
+    std::string text = samples::vtk(false, false);
+    text.replace(text.find(slip.what), std::string(slip.what).size(), slip.by);
+    const auto file = parseVtkSurface(text, "x.vtk");
+    ASSERT_FALSE(file.ok()) << slip.by;
+    EXPECT_EQ(file.error().fault, slip.fault) << slip.by << ": " << toLogLine(file.error());
+    EXPECT_EQ(file.error().place.file, "x.vtk");
+  }
+  for (const Slip& slip : {Slip{"\"PolyData\"", "\"ImageData\"", Fault::BadMesh}, Slip{"NumberOfPoints=\"8\"", "NumberOfPoints=\"2000000000\"", Fault::BadMesh},
+                           Slip{"NumberOfPolys=\"6\"", "NumberOfPolys=\"5\"", Fault::BadMesh}, Slip{"<VTKFile", "<VTXFile", Fault::UnknownFormat}}) {
+    std::string text = samples::vtp(samples::VtpForm::Ascii, false, false);
+    text.replace(text.find(slip.what), std::string(slip.what).size(), slip.by);
+    const auto file = parseVtp(text, "x.vtp");
+    ASSERT_FALSE(file.ok()) << slip.by;
+    EXPECT_EQ(file.error().fault, slip.fault) << slip.by << ": " << toLogLine(file.error());
+  }
+}
+
+TEST(PolygonSplit, aConcavePolygonKeepsItsArea) {
+  // An arrow: a fan from its first corner would reach outside.
+  const std::vector<Vec3> points{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5, 1, 0}};
+  std::vector<std::array<int, 3>> triangles;
+  splitPolygon(points, std::vector<int>{1, 2, 3, 0}, triangles);
+  ASSERT_EQ(triangles.size(), 2u);
+  double area = 0;
+  for (const auto& t : triangles) {
+    const double z = (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).z() / 2;
+    EXPECT_GT(z, 0);
+    area += z;
+  }
+  EXPECT_DOUBLE_EQ(area, 1.5);
+}
+
+}  // namespace
+}  // namespace glenoid
