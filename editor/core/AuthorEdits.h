@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QString>
+#include <string>
+#include <vector>
+
+#include "editor/core/Document.h"
+#include "simcore/scene/ProposeExclusions.h"
+
+/// What an author does to regions, couplings and exclusions: each function is one undo step on the document, or does
+/// nothing and answers so. Ids are those of the joint; SI units. GUI thread only.
+namespace glenoid {
+
+/// A slug that is not taken: letters, digits and hyphens of `wish`, with a number where needed.
+std::string freshId(const std::string& wish, const std::vector<std::string>& taken);
+
+/// The wish for a coupling: a region of part A, or triangles from which one is made.
+struct CouplingWish {
+  std::string partA, partB;
+  std::string region;          ///< id of a region of A; empty: made from `triangles`
+  SurfaceKind surface = SurfaceKind::Visual;
+  std::vector<int> triangles;  ///< ascending
+  double stiffnessPerArea = 0; ///< N/m per m²
+  double damping = 1e-3;       ///< s
+  std::string reason;
+};
+
+/// Id of the new region; empty when the part is unknown or nothing is selected.
+std::string addRegion(Document& document, const std::string& part, const QString& name, SurfaceKind surface,
+                      const std::vector<int>& triangles);
+bool setRegion(Document& document, const std::string& part, const std::string& region, SurfaceKind surface,
+               const std::vector<int>& triangles);
+bool renameRegion(Document& document, const std::string& part, const std::string& region, const QString& name);
+/// Not while a coupling, a material or a bursa refers to it.
+bool removeRegion(Document& document, const std::string& part, const std::string& region);
+bool isRegionUsed(const Joint& joint, const std::string& part, const std::string& region);
+
+/// Id of the new coupling; empty when a part is unknown, both are the same, or nothing is selected.
+std::string addCoupling(Document& document, const CouplingWish& wish);
+bool removeCoupling(Document& document, const std::string& coupling);
+bool setCouplingReason(Document& document, const std::string& coupling, const QString& reason);
+bool setCouplingDamping(Document& document, const std::string& coupling, double seconds);
+
+/// Collision of a pair off, with the reason written into the joint.
+bool excludePair(Document& document, const ExclusionProposal& proposal);
+
+}  // namespace glenoid
