@@ -18,7 +18,7 @@ struct ObjectLook {
   float opacity = 1;      ///< 0…1; below 1 the object's front layer is blended
   bool selected = false;  ///< outline and tint
   bool hovered = false;   ///< fainter than selected
-  std::optional<std::array<float, 3>> color;  ///< sRGB, in place of the object's own
+  std::optional<std::array<float, 3>> color = std::nullopt;  ///< sRGB, in place of the object's own
 };
 
 /// Triangles of one surface in a colour of their own: a region that is being picked, an error shown in place.

@@ -15,6 +15,7 @@ class QToolBar;
 
 namespace glenoid {
 
+class AuthorDocks;
 class LayersPanel;
 class PartTree;
 class PropertiesPanel;
@@ -39,6 +40,7 @@ class MainWindow : public QMainWindow {
 
   SceneView* view() const { return m_view; }  ///< null without OpenGL
   Actions& actions() { return m_actions; }
+  AuthorDocks& author() { return *m_author; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
@@ -79,6 +81,7 @@ class MainWindow : public QMainWindow {
   SceneSaver m_saver;
   Actions m_actions;
   SceneView* m_view = nullptr;
+  AuthorDocks* m_author = nullptr;
   PartTree* m_tree = nullptr;
   LayersPanel* m_layers = nullptr;
   PropertiesPanel* m_properties = nullptr;

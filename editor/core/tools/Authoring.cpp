@@ -164,7 +164,7 @@ void Authoring::press(const Viewport& viewport, const Pointer& pointer) {
 void Authoring::move(const Viewport&, const Pointer& pointer) {
   m_cursor = pointer.at;
   if (m_tool == Tool::Select) m_select.move(pointer);
-  emit looksChanged();
+  if (busy() || mode() == PickMode::Brush) emit looksChanged();
 }
 
 void Authoring::release(const Pointer& pointer) {
