@@ -205,4 +205,56 @@ bool excludePair(Document& document, const ExclusionProposal& proposal) {
   return true;
 }
 
+// ---- Cages
+
+bool setCage(Document& document, const Cage& cage, const QString& text) {
+  if (findPart(document.joint(), cage.part) < 0) return false;
+  document.edit(text, ofParts({cage.part}), [&](Scene& scene) {
+    auto& cages = scene.joint.cages;
+    const auto found = std::find_if(cages.begin(), cages.end(), [&](const Cage& c) { return c.part == cage.part; });
+    if (found == cages.end()) cages.push_back(cage);
+    else *found = cage;
+    scene.joint.startProof.reset();
+  });
+  return true;
+}
+
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture) {
+  const auto& cages = document.joint().cages;
+  const auto found = std::find_if(cages.begin(), cages.end(), [&](const Cage& c) { return c.part == part; });
+  if (found == cages.end() || found->moved_W == moved_W || found->moved_W.size() != moved_W.size()) return false;
+  const std::size_t index = found - cages.begin();
+  document.edit(AuthorEdits::tr("Move the cage of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
+                [&](Scene& scene) {
+                  scene.joint.cages[index].moved_W = moved_W;
+                  scene.joint.startProof.reset();
+                },
+                gesture);
+  return true;
+}
+
+bool removeCage(Document& document, const std::string& part) {
+  if (!findCage(document.joint(), part)) return false;
+  document.edit(AuthorEdits::tr("Remove the cage of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
+                [&](Scene& scene) {
+                  std::erase_if(scene.joint.cages, [&](const Cage& c) { return c.part == part; });
+                  scene.joint.startProof.reset();
+                });
+  return true;
+}
+
+bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof, const QString& text) {
+  if (document.joint().cages == cages && document.joint().startProof == proof) return false;
+  std::set<std::string> parts;
+  for (const auto* list : {&document.joint().cages, &cages})
+    for (const Cage& cage : *list) parts.insert(cage.part);
+  ChangeSet changes = ofParts(std::move(parts));
+  changes.model = document.joint().cages != cages;
+  document.edit(text, changes, [&](Scene& scene) {
+    scene.joint.cages = cages;
+    scene.joint.startProof = proof;
+  });
+  return true;
+}
+
 }  // namespace glenoid

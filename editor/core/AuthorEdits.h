@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QString>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/core/Document.h"
 #include "simcore/scene/ProposeExclusions.h"
 
-/// What an author does to regions, couplings and exclusions: each function is one undo step on the document, or does
+/// What an author does to regions, couplings, exclusions and cages: each function is one undo step on the document, or does
 /// nothing and answers so. Ids are those of the joint; SI units. GUI thread only.
 namespace glenoid {
 
@@ -43,5 +44,13 @@ bool setCouplingDamping(Document& document, const std::string& coupling, double 
 
 /// Collision of a pair off, with the reason written into the joint.
 bool excludePair(Document& document, const ExclusionProposal& proposal);
+
+/// The cage in the place of the one its part had. The proof of the start goes with every change of a cage.
+bool setCage(Document& document, const Cage& cage, const QString& text);
+/// Handles to these places, as many as there are; steps in a row with one `gesture` are one.
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture = {});
+bool removeCage(Document& document, const std::string& part);
+/// All cages and the proof at once, as a job found them.
+bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof, const QString& text);
 
 }  // namespace glenoid

@@ -8,6 +8,7 @@
 #include <QToolBar>
 
 #include "editor/core/PlayLink.h"
+#include "editor/ui/CagePanel.h"
 #include "editor/ui/CouplingPanel.h"
 #include "editor/ui/SceneView.h"
 
@@ -31,6 +32,12 @@ AuthorDocks::AuthorDocks(QMainWindow& window, Actions& actions, Document& docume
     : QObject(&window), m_window(window), m_view(view), m_authoring(document, display) {
   if (view) view->setAuthoring(&m_authoring);
   addDock("couplings", new CouplingPanel(document, selection, m_authoring));
+  auto* cages = new CagePanel(document, selection, m_authoring);
+  addDock("cages", cages);
+  connect(cages, &CagePanel::partsWanted, this, [&selection, view](const std::set<std::string>& ids, const std::string& current) {
+    selection.assign(ids, current);
+    if (view) view->frameSelection();
+  });
   makeActions(actions);
 }
 
@@ -66,7 +73,12 @@ void AuthorDocks::makeActions(Actions& actions) {
       "author.select", "pick", {QKeySequence(Qt::Key_E)},
       [] { return Actions::Words{tr("&Pick triangles"), tr("Pick triangles of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through")}; },
       [this](bool on) { m_authoring.setTool(on ? Authoring::Tool::Select : Authoring::Tool::None); }));
+  QAction* cage = place(actions.addCheckable(
+      "author.cage", "cage", {QKeySequence(Qt::Key_G)},
+      [] { return Actions::Words{tr("&Move a cage"), tr("Pick and drag the handles of the cage around the chosen part")}; },
+      [this](bool on) { m_authoring.setTool(on ? Authoring::Tool::Cage : Authoring::Tool::None); }));
   m_menu->addSeparator();
+  m_toolBar->addSeparator();
   std::vector<QAction*> modes;
   for (const ModeKey& entry : kModes) {
     QAction* action = place(actions.addCheckable(
@@ -117,6 +129,7 @@ void AuthorDocks::makeActions(Actions& actions) {
                                 [this] { m_authoring.setRadius(m_authoring.radius() * 1.25); }));
   const auto refresh = [=, this] {
     select->setChecked(m_authoring.tool() == Authoring::Tool::Select);
+    cage->setChecked(m_authoring.tool() == Authoring::Tool::Cage);
     for (std::size_t i = 0; i < modes.size(); ++i) modes[i]->setChecked(kModes[i].mode == m_authoring.mode());
     for (QAction* action : onSelection) action->setEnabled(!m_authoring.selected().empty());
     invert->setEnabled(m_authoring.mesh() != nullptr);
@@ -130,7 +143,7 @@ void AuthorDocks::makeActions(Actions& actions) {
 void AuthorDocks::retranslate() {
   m_menu->setTitle(tr("&Author"));
   m_toolBar->setWindowTitle(tr("Author's tools"));
-  const QStringList docks = {tr("Couplings")};
+  const QStringList docks = {tr("Couplings"), tr("Start")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
 }
 

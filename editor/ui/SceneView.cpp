@@ -86,7 +86,7 @@ Look SceneView::look() const {
 Layers SceneView::layers() const {
   if (!m_model) return {};
   Layers layers = m_display.layersFor(*m_model, m_selection);
-  if (m_authoring) m_authoring->decorate(*m_model, layers);
+  if (m_authoring) m_authoring->decorate(*m_model, viewport(), layers);
   return layers;
 }
 
@@ -328,7 +328,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
   if (m_gesture == Gesture::Author) {
     if (event->button() != Qt::LeftButton) return;
-    m_authoring->release(pointerOf(*event));
+    m_authoring->release(viewport(), pointerOf(*event));
     m_gesture = Gesture::None;
     return;
   }

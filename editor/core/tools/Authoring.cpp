@@ -3,6 +3,7 @@
 
 #include <QUndoCommand>
 
+#include "editor/core/AuthorEdits.h"
 #include "simcore/coupling/RegionAnchors.h"
 #include "simcore/mesh/TrianglePatch.h"
 
@@ -36,20 +37,28 @@ void Authoring::setTool(Tool tool) {
   m_tool = tool;
   m_cursor.reset();
   m_stateOf.reset();
+  refreshCage();
   emit toolChanged();
+  emit modeChanged();
   emit looksChanged();
 }
 
 void Authoring::setMode(PickMode mode) {
-  if (mode == m_select.mode()) return;
+  if (mode == this->mode()) return;
   cancel();
-  m_select.setMode(mode);
+  if (m_tool == Tool::Cage) {
+    m_cageMode = mode;
+    m_cage.setMode(mode);
+  } else {
+    m_select.setMode(mode);
+  }
   emit modeChanged();
   emit looksChanged();
 }
 
 void Authoring::setRadius(double pixels) {
   m_select.setRadius(pixels);
+  m_cage.setRadius(m_select.radius());
   emit modeChanged();
   emit looksChanged();
 }
@@ -76,7 +85,10 @@ void Authoring::set(const Picked& picked) {
   if (!m_picked.triangles.empty() && m_picked.triangles.back() >= count) m_picked.triangles.clear();
   m_preview.clear();
   refreshNodes();
-  if (another) emit targetChanged();
+  if (another) {
+    refreshCage();
+    emit targetChanged();
+  }
   emit selectionChanged();
   emit looksChanged();
 }
@@ -126,6 +138,57 @@ void Authoring::onDocumentChanged() {
     refreshNodes();
   }
   m_stateOf.reset();
+  refreshCage();
+}
+
+// ---- Cages
+
+void Authoring::refreshCage() {
+  const int index = findPart(m_document.joint(), m_picked.part);
+  const Cage* cage = index < 0 ? nullptr : findCage(m_document.joint(), m_picked.part);
+  m_cage.setCage(cage);
+  m_cage.setMode(m_cageMode);
+  if (!cage) {
+    m_follower.reset();
+    m_followerJob.drop();
+  } else if (m_tool == Tool::Cage && !(m_follower && m_follower->isFor(m_document.joint().parts[index], *cage))) {
+    m_follower.reset();
+    // Coordinates of a cage take seconds where it is concave, so not on the thread that draws.
+    m_followerJob.ask([this, starts = m_starts, part = m_document.joint().parts[index],
+                       cage = *cage](const std::atomic<bool>&) -> LatestJob::Answer {
+      const auto made = starts->follower(part, cage);
+      return [this, made] {
+        if (made.ok()) m_follower = *made;
+        m_stateOf.reset();
+        emit looksChanged();
+      };
+    });
+  }
+  emit cageChanged();
+}
+
+void Authoring::pickHandles(std::set<int> handles) {
+  m_cage.pick(std::move(handles));
+  emit cageChanged();
+  emit looksChanged();
+}
+
+void Authoring::setMeanShift(const Vec3& shift_W) {
+  if (!m_cage.picked().empty())
+    moveHandles(m_document, m_picked.part, m_cage.withMeanShift(shift_W), QStringLiteral("handles"));
+}
+
+Joint Authoring::liveJoint() const {
+  Joint joint = m_document.joint();
+  for (Cage& cage : joint.cages)
+    if (cage.part == m_picked.part && cage.moved_W.size() == m_cage.moved_W().size()) cage.moved_W = m_cage.moved_W();
+  return joint;
+}
+
+void Authoring::showCuts(std::vector<Vec3> cuts_W) {
+  if (cuts_W.empty() && m_cuts_W.empty()) return;
+  m_cuts_W = std::move(cuts_W);
+  emit looksChanged();
 }
 
 void Authoring::refreshNodes() {
@@ -157,17 +220,34 @@ void Authoring::press(const Viewport& viewport, const Pointer& pointer) {
   if (m_tool == Tool::Select) {
     refreshTarget();
     m_select.press(viewport, pointer, m_picked.triangles);
+  } else if (m_tool == Tool::Cage) {
+    m_document.endGesture();
+    m_cage.press(viewport, pointer);
+    emit cageChanged();
   }
   emit looksChanged();
 }
 
-void Authoring::move(const Viewport&, const Pointer& pointer) {
+void Authoring::move(const Viewport& viewport, const Pointer& pointer) {
   m_cursor = pointer.at;
   if (m_tool == Tool::Select) m_select.move(pointer);
-  if (busy() || mode() == PickMode::Brush) emit looksChanged();
+  if (m_tool == Tool::Cage) {
+    m_cage.move(viewport, pointer);
+    if (m_cage.isDragging()) {
+      m_stateOf.reset();
+      emit cageChanged();
+    }
+  }
+  if (busy() || mode() == PickMode::Brush || m_tool == Tool::Cage) emit looksChanged();
 }
 
-void Authoring::release(const Pointer& pointer) {
+void Authoring::release(const Viewport& viewport, const Pointer& pointer) {
+  if (m_cage.busy()) {
+    const CageTool::Done done = m_cage.release(viewport, pointer);
+    const std::vector<Vec3> moved = m_cage.moved_W();  // the change comes back and sets the tool anew
+    if (done == CageTool::Done::Moved) moveHandles(m_document, m_picked.part, moved);
+    if (done == CageTool::Done::Picked) emit cageChanged();
+  }
   if (m_select.busy()) {
     const std::vector<int> triangles = m_select.release(pointer);
     select(triangles, tr("Select %n triangle(s)", nullptr, static_cast<int>(triangles.size())));
@@ -181,8 +261,11 @@ void Authoring::leave() {
 }
 
 void Authoring::cancel() {
-  if (!m_select.busy()) return;
+  if (!busy()) return;
   m_select.cancel();
+  m_cage.cancel();
+  m_stateOf.reset();
+  emit cageChanged();
   emit looksChanged();
 }
 
@@ -201,15 +284,24 @@ VecX restState(const Model& model) {
 const VecX* Authoring::stateFor(const std::shared_ptr<const Model>& model) {
   if (m_tool == Tool::None || !model) return nullptr;
   if (m_stateOf.lock() != model) {
-    m_state = restState(*model);
+    m_state = m_tool == Tool::Cage ? model->start.q : restState(*model);
     m_stateOf = model;
+    const int index = findPart(m_document.joint(), m_picked.part);
+    if (m_tool == Tool::Cage && index >= 0)
+      for (const SceneObject& object : model->objects) {
+        if (object.tool || object.id != m_picked.part || object.layout.rigid) continue;
+        const Part& part = m_document.joint().parts[index];
+        if (object.volume != part.volume || (m_cage.hasCage() && !m_follower)) continue;
+        const std::vector<Vec3> nodes = m_cage.hasCage() ? m_follower->nodes(m_cage.moved_W()) : part.volume->nodes;
+        for (int i = 0; i < object.layout.nodeCount; ++i) m_state.segment<3>(object.layout.qOffset + 3 * i) = nodes[i];
+      }
   }
   return &m_state;
 }
 
-void Authoring::decorate(const Model& model, Layers& layers) const {
+void Authoring::decorate(const Model& model, const Viewport& viewport, Layers& layers) const {
   if (m_tool == Tool::None) return;
-  if (m_picked.surface == SurfaceKind::Collision) {
+  if (m_tool == Tool::Select && m_picked.surface == SurfaceKind::Collision) {
     layers.visual = false;
     layers.collision = true;
   }
@@ -219,21 +311,29 @@ void Authoring::decorate(const Model& model, Layers& layers) const {
     // Until the change before is compiled the view shows another surface.
     if ((m_picked.surface == SurfaceKind::Visual ? object.visual : object.collision).mesh != m_mesh) continue;
     const std::vector<int> triangles = m_select.busy() ? m_select.now() : m_picked.triangles;
+    // The tint of a selected part would hide what is picked on it, and where it bends.
+    if (i < static_cast<int>(layers.objects.size())) layers.objects[i].hovered = layers.objects[i].selected = false;
+    if (m_tool != Tool::Select) continue;
     if (!triangles.empty()) layers.marks.push_back({i, m_picked.surface, triangles, kSelected});
     if (!m_preview.empty()) layers.marks.push_back({i, m_picked.surface, m_preview, kPreview});
-    if (i < static_cast<int>(layers.objects.size())) layers.objects[i].hovered = layers.objects[i].selected = false;
   }
   Strokes dots;
   dots.dotPx = 6;
   dots.hiddenStrength = 0.45f;
-  if (!m_select.busy())
+  if (m_tool == Tool::Select && !m_select.busy())
     for (const Vec3& p : m_nodes_W) dots.dots.push_back({p.cast<float>(), {1.0f, 0.85f, 0.35f, 1}});
-  for (const Vec3& p : m_anchors_W) dots.dots.push_back({p.cast<float>(), {0.25f, 0.85f, 0.80f, 1}});
+  if (m_tool == Tool::Cage)
+    for (const Vec3& p : m_cuts_W) dots.dots.push_back({p.cast<float>(), {0.95f, 0.15f, 0.12f, 1}});
+  if (m_tool == Tool::Select)
+    for (const Vec3& p : m_anchors_W) dots.dots.push_back({p.cast<float>(), {0.25f, 0.85f, 0.80f, 1}});
   if (!dots.dots.empty()) layers.strokes.push_back(std::move(dots));
 
+  if (m_tool == Tool::Cage)
+    for (Strokes& strokes : m_cage.strokes(viewport)) layers.strokes.push_back(std::move(strokes));
   std::vector<Vec2> outline;
-  if (const PickStroke* stroke = m_select.stroke()) outline = stroke->outline();
-  else if (m_cursor && m_tool == Tool::Select && mode() == PickMode::Brush) outline = circleOutline(*m_cursor, radius());
+  const PickStroke* stroke = m_tool == Tool::Cage ? m_cage.stroke() : m_select.stroke();
+  if (stroke) outline = stroke->outline();
+  else if (m_cursor && mode() == PickMode::Brush) outline = circleOutline(*m_cursor, radius());
   if (outline.size() > 1) {
     Strokes screen;
     screen.onScreen = true;
