@@ -108,7 +108,7 @@ QWidget* CagePanel::makeCageBox() {
   m_handles = new QSpinBox;
   m_handles->setObjectName(QStringLiteral("cages.handles"));
   m_handles->setRange(8, 2000);
-  m_handles->setValue(80);
+  m_handles->setValue(60);
   m_handles->setFocusPolicy(Qt::StrongFocus);
   row(m_handles);
   m_make = button("cages.make", &CagePanel::makeTheCage);
@@ -170,7 +170,7 @@ QWidget* CagePanel::makeOverlapBox() {
   });
   auto* form = new QFormLayout;
   m_clearance = millimetres(QStringLiteral("cages.clearance"), 0.01, 10, 2);
-  m_clearance->setValue(0.3);
+  m_clearance->setValue(1);
   auto* name = new QLabel;
   name->setBuddy(m_clearance);
   m_labels.push_back(name);
@@ -368,7 +368,7 @@ void CagePanel::resetCage() {
 }
 
 void CagePanel::suggest() {
-  SeparateWishes wishes;
+  StartWishes wishes;
   wishes.clearance = 1e-3 * m_clearance->value();
   wishes.handles = m_handles->value();
   run(tr("Moving cages apart…"), [this, before = m_document.joint(), wishes](const Cancel& cancel) {

@@ -96,7 +96,7 @@ TEST(ScreenMap, takesTheNearestUnderThePixel) {
   const std::vector<std::shared_ptr<const TriMesh>> others = {veil};
   const ScreenMap map(viewport, box, others);
   const TriangleTree tree(box);
-  for (const Vec3 p : {Vec3(-0.011, 0.004, 0.02), Vec3(0.004, 0.003, 0.02)}) {
+  for (const Vec3& p : {Vec3(-0.011, 0.004, 0.02), Vec3(0.004, 0.003, 0.02)}) {
     const Vec2 pixel = *projected(viewport.view, p, viewport.width, viewport.height);
     const auto hit = tree.cast(viewport.view.eye_W, p - viewport.view.eye_W);
     EXPECT_EQ(map.triangleAt(pixel, true), hit->triangle);
