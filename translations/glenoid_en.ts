@@ -2,6 +2,85 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US">
 <context>
+    <name>glenoid::Authoring</name>
+    <message numerus="yes">
+        <source>Select %n triangle(s)</source>
+        <translation>
+            <numerusform>Select %n triangle</numerusform>
+            <numerusform>Select %n triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::CagePanel</name>
+    <message numerus="yes">
+        <source>%n handle(s); pick some in the view to move them.</source>
+        <translation>
+            <numerusform>%n handle; pick it in the view to move it.</numerusform>
+            <numerusform>%n handles; pick some in the view to move them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handle(s) picked. Their mean shift from rest:</source>
+        <translation>
+            <numerusform>%n handle picked. Its shift from rest:</numerusform>
+            <numerusform>%n handles picked. Their mean shift from rest:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of parts</source>
+        <translation>
+            <numerusform>%n pair of parts</numerusform>
+            <numerusform>%n pairs of parts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s)</source>
+        <translation>
+            <numerusform>%n cut</numerusform>
+            <numerusform>%n cuts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of parts overlap at the start.</source>
+        <translation>
+            <numerusform>%n pair of parts overlaps at the start.</numerusform>
+            <numerusform>%n pairs of parts overlap at the start.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Moving cages apart: %n pair(s) still overlap.</source>
+        <translation>
+            <numerusform>Moving cages apart: %n pair still overlaps.</numerusform>
+            <numerusform>Moving cages apart: %n pairs still overlap.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) still overlap; move their cages by hand or allow more handles.</source>
+        <translation>
+            <numerusform>%n pair still overlaps; move its cages by hand or allow more handles.</numerusform>
+            <numerusform>%n pairs still overlap; move their cages by hand or allow more handles.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::CouplingPanel</name>
+    <message numerus="yes">
+        <source>%n triangle(s) selected</source>
+        <translation>
+            <numerusform>%n triangle selected</numerusform>
+            <numerusform>%n triangles selected</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spring(s)</source>
+        <translation>
+            <numerusform>%n spring</numerusform>
+            <numerusform>%n springs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::MainWindow</name>
     <message numerus="yes">
         <source>%n step(s) could not be taken; the last good state was kept</source>

@@ -52,6 +52,10 @@ QString nameOf(const Joint& joint, const std::string& part) {
   return anatomyName(index < 0 ? part : joint.parts[index].name);
 }
 
+// lupdate loses the namespace in functions that answer a std::string, so these texts stand alone.
+QString makeText(const QString& region) { return AuthorEdits::tr("Make the region “%1”").arg(region); }
+QString coupleText(const QString& a, const QString& b) { return AuthorEdits::tr("Couple %1 to %2").arg(a, b); }
+
 Region makeRegion(const Part& part, const std::string& name, const std::string& kind, SurfaceKind surface,
                   const std::vector<int>& triangles) {
   return {freshId(name, regionIds(part)), name, kind, surface, runsOf(triangles)};
@@ -79,7 +83,7 @@ std::string addRegion(Document& document, const std::string& part, const QString
   const int index = findPart(document.joint(), part);
   if (index < 0 || triangles.empty()) return {};
   const Region region = makeRegion(document.joint().parts[index], name.toStdString(), "other", surface, triangles);
-  document.edit(AuthorEdits::tr("Make the region “%1”").arg(name), ofParts({part}),
+  document.edit(makeText(name), ofParts({part}),
                 [&](Scene& scene) { scene.joint.parts[index].regions.push_back(region); });
   return region.id;
 }
@@ -150,7 +154,7 @@ std::string addCoupling(Document& document, const CouplingWish& wish) {
   coupling.reason = wish.reason;
   ChangeSet changes = ofCoupling(coupling.id);
   changes.parts = {wish.partA};
-  document.edit(AuthorEdits::tr("Couple %1 to %2").arg(nameOf(joint, wish.partA), nameOf(joint, wish.partB)), changes,
+  document.edit(coupleText(nameOf(joint, wish.partA), nameOf(joint, wish.partB)), changes,
                 [&](Scene& scene) {
                   if (fresh) scene.joint.parts[a].regions.push_back(region);
                   scene.joint.couplings.push_back(coupling);
