@@ -261,4 +261,54 @@ bool setStart(Document& document, const std::vector<Cage>& cages, const std::opt
   return true;
 }
 
+// ---- Bodies
+
+bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0) return false;
+  const Part before = document.joint().parts[index], after = withBody(before, wish, body);
+  for (const Region& region : before.regions)
+    if (!findRegion(after, region.id) && isRegionUsed(document.joint(), part, region.id)) return false;
+  document.edit(AuthorEdits::tr("Make the body of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
+                [&](Scene& scene) {
+                  scene.joint.parts[index] = after;
+                  std::erase_if(scene.joint.cages, [&](const Cage& cage) { return cage.part == part; });
+                  scene.joint.startProof.reset();
+                });
+  return true;
+}
+
+bool setMaterial(Document& document, const std::string& part, const Material& material) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0) return false;
+  const auto& uses = document.joint().parts[index].materials;
+  const bool known = findMaterial(document.joint(), material.id) >= 0;
+  if (known && !uses.empty() && uses[0].material == material.id && uses[0].region.empty()) return false;
+  ChangeSet changes = ofParts({part});
+  changes.materials = {material.id};
+  document.edit(AuthorEdits::tr("Make %1 of “%2”").arg(nameOf(document.joint(), part), anatomyName(material.name)), changes,
+                [&](Scene& scene) {
+                  if (!known) scene.joint.materials.push_back(material);
+                  auto& own = scene.joint.parts[index].materials;
+                  if (own.empty() || !own[0].region.empty()) own.insert(own.begin(), MaterialUse{});
+                  own[0] = {material.id, {}};
+                });
+  return true;
+}
+
+std::string ownMaterial(Document& document, const std::string& part) {
+  const Joint& joint = document.joint();
+  const int index = findPart(joint, part);
+  if (index < 0 || joint.parts[index].materials.empty()) return {};
+  const int from = findMaterial(joint, joint.parts[index].materials[0].material);
+  if (from < 0) return {};
+  std::vector<std::string> taken;
+  for (const Material& each : joint.materials) taken.push_back(each.id);
+  Material own = joint.materials[from];
+  own.id = freshId(own.id + "-" + part, taken);
+  own.name += " (" + joint.parts[index].name + ")";
+  setMaterial(document, part, own);
+  return own.id;
+}
+
 }  // namespace glenoid

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "editor/core/Document.h"
+#include "simcore/author/MakeBody.h"
 #include "simcore/scene/ProposeExclusions.h"
 
-/// What an author does to regions, couplings, exclusions and cages: each function is one undo step on the document, or does
+/// What an author does to regions, couplings, exclusions, cages and bodies: each function is one undo step on the document, or does
 /// nothing and answers so. Ids are those of the joint; SI units. GUI thread only.
 namespace glenoid {
 
@@ -23,7 +24,7 @@ struct CouplingWish {
   std::vector<int> triangles;  ///< ascending
   double stiffnessPerArea = 0; ///< N/m per m²
   double damping = 1e-3;       ///< s
-  std::string reason;
+  std::string reason = {};
 };
 
 /// Id of the new region; empty when the part is unknown or nothing is selected.
@@ -52,5 +53,14 @@ bool moveHandles(Document& document, const std::string& part, const std::vector<
 bool removeCage(Document& document, const std::string& part);
 /// All cages and the proof at once, as a job found them.
 bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof, const QString& text);
+
+/// Another body for a part: its cage and the proof of the start go with the meshes they were made for. Nothing is done
+/// where a region that something refers to would be lost.
+bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body);
+
+/// The part's main material becomes this one, which joins the joint where its id is not known there yet.
+bool setMaterial(Document& document, const std::string& part, const Material& material);
+/// A copy of the part's main material of its own, to be changed freely; id of it, empty where there is none.
+std::string ownMaterial(Document& document, const std::string& part);
 
 }  // namespace glenoid

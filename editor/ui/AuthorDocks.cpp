@@ -8,6 +8,7 @@
 #include <QToolBar>
 
 #include "editor/core/PlayLink.h"
+#include "editor/ui/BodyPanel.h"
 #include "editor/ui/CagePanel.h"
 #include "editor/ui/CouplingPanel.h"
 #include "editor/ui/SceneView.h"
@@ -38,6 +39,13 @@ AuthorDocks::AuthorDocks(QMainWindow& window, Actions& actions, Document& docume
     selection.assign(ids, current);
     if (view) view->frameSelection();
   });
+  auto* bodies = new BodyPanel(document, m_authoring);
+  addDock("bodies", bodies, Qt::BottomDockWidgetArea);
+  m_docks.back()->hide();
+  if (view) {
+    bodies->setViewSource([view] { return view->view(); });
+    connect(view, &SceneView::drawn, bodies, &BodyPanel::viewMoved);
+  }
   makeActions(actions);
 }
 
@@ -45,13 +53,15 @@ AuthorDocks::~AuthorDocks() {
   if (m_view) m_view->setAuthoring(nullptr);
 }
 
-void AuthorDocks::addDock(const char* name, QWidget* content) {
+void AuthorDocks::addDock(const char* name, QWidget* content, Qt::DockWidgetArea area) {
   auto* made = new QDockWidget(&m_window);
   made->setObjectName(QStringLiteral("dock.") + QLatin1String(name));
   made->setWidget(content);
   made->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetFloatable);
-  m_window.addDockWidget(Qt::RightDockWidgetArea, made);
-  if (auto* properties = m_window.findChild<QDockWidget*>(QStringLiteral("dock.properties"))) {
+  m_window.addDockWidget(area, made);
+  if (area != Qt::RightDockWidgetArea) {
+    // Stands alone below the view.
+  } else if (auto* properties = m_window.findChild<QDockWidget*>(QStringLiteral("dock.properties"))) {
     m_window.tabifyDockWidget(properties, made);
     properties->raise();
   }
@@ -77,6 +87,12 @@ void AuthorDocks::makeActions(Actions& actions) {
       "author.cage", "cage", {QKeySequence(Qt::Key_G)},
       [] { return Actions::Words{tr("&Move a cage"), tr("Pick and drag the handles of the cage around the chosen part")}; },
       [this](bool on) { m_authoring.setTool(on ? Authoring::Tool::Cage : Authoring::Tool::None); }));
+  QDockWidget* bodies = m_docks.back();
+  QAction* body = place(actions.addCheckable(
+      "author.body", "body", {QKeySequence(Qt::Key_M)},
+      [] { return Actions::Words{tr("Make a bod&y"), tr("Show how the chosen part collides and deforms, and change it")}; },
+      [bodies](bool on) { bodies->setVisible(on); }));
+  connect(bodies, &QDockWidget::visibilityChanged, body, [body, bodies] { body->setChecked(!bodies->isHidden()); });
   m_menu->addSeparator();
   m_toolBar->addSeparator();
   std::vector<QAction*> modes;
@@ -143,7 +159,7 @@ void AuthorDocks::makeActions(Actions& actions) {
 void AuthorDocks::retranslate() {
   m_menu->setTitle(tr("&Author"));
   m_toolBar->setWindowTitle(tr("Author's tools"));
-  const QStringList docks = {tr("Couplings"), tr("Start")};
+  const QStringList docks = {tr("Couplings"), tr("Start"), tr("Body")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
 }
 

@@ -33,7 +33,7 @@ class AuthorDocks : public QObject {
 
  private:
   void makeActions(Actions& actions);
-  void addDock(const char* name, QWidget* content);
+  void addDock(const char* name, QWidget* content, Qt::DockWidgetArea area = Qt::RightDockWidgetArea);
 
   QMainWindow& m_window;
   SceneView* m_view;

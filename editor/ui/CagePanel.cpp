@@ -62,6 +62,7 @@ CagePanel::CagePanel(Document& document, Selection& selection, Authoring& author
     if (isVisible() && !m_later.isActive()) m_later.start();
   };
   connect(&document, &Document::changed, this, [this, soon](const ChangeSet& changes) {
+    refreshProof();
     if (!changes.everything && changes.parts.empty()) return refresh();
     m_overlapsKnown = false;
     refresh();
@@ -90,10 +91,10 @@ QWidget* CagePanel::makeCageBox() {
   auto* box = new QGroupBox;
   m_groups.push_back(box);
   auto* form = new QFormLayout(box);
-  const auto button = [this](const char* name, void (CagePanel::*run)()) {
+  const auto button = [this](const char* name, void (CagePanel::*pressed)()) {
     auto* made = new QPushButton;
     made->setObjectName(QLatin1String(name));
-    connect(made, &QPushButton::clicked, this, run);
+    connect(made, &QPushButton::clicked, this, pressed);
     return made;
   };
   const auto row = [&](QWidget* widget, QLayout* layout = nullptr) {
@@ -239,6 +240,10 @@ void CagePanel::refresh() {
     m_shift[axis]->setEnabled(count > 0);
     m_shift[axis]->setValue(shift[axis]);
   }
+}
+
+void CagePanel::refreshProof() {
+  const Joint& joint = m_document.joint();
   const auto& proof = joint.startProof;
   if (!proof) {
     m_proof->setText(tr("The start has not been proved."));
@@ -402,7 +407,6 @@ void CagePanel::prove() {
       if (!check.ok()) return m_outcome->setText(sentenceOf(check.error()));
       if (!sameStart(joint)) return m_outcome->setText(tr("The joint was changed meanwhile; ask again."));
       setStart(m_document, m_document.joint().cages, check->proof, tr("Prove the start"));
-      refresh();
     };
   });
 }
@@ -442,6 +446,7 @@ void CagePanel::retranslate() {
                                           : tr("%n pair(s) of parts overlap at the start.", nullptr, static_cast<int>(m_overlaps.size())));
   }
   refresh();
+  refreshProof();
 }
 
 void CagePanel::changeEvent(QEvent* event) {

@@ -40,6 +40,7 @@ class CagePanel : public QScrollArea {
   QWidget* makeOverlapBox();
   void retranslate();
   void refresh();
+  void refreshProof();  ///< hashes the joint, so not while a handle is dragged
   void askOverlaps();
   void showOverlaps(const std::vector<Overlap>& overlaps, const std::vector<TriMesh>& surfaces);
   void makeTheCage();

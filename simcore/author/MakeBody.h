@@ -16,8 +16,8 @@ struct BodyWish {
   int collisionTriangles = 0;      ///< 0 or at least the visual's number: the visual itself
   double cellSize = 0;             ///< m, soft parts, > 0
   GridAxes axes = GridAxes::World;
-  std::vector<double> importance;  ///< for each vertex of the visual surface where triangles matter, see simplify; or empty
-  std::shared_ptr<const TriMesh> collision;  ///< made before for the same wish: taken as it is
+  std::vector<double> importance = {};  ///< for each vertex of the visual surface where triangles matter, see simplify; or empty
+  std::shared_ptr<const TriMesh> collision = nullptr;  ///< made before for the same wish: taken as it is
 };
 
 /// How good the meshes are and what they will cost.
@@ -29,6 +29,7 @@ struct BodyFigures {
   double volumeError = 0;        ///< of the collision surface's volume over the visual's, signed
   double meanFill = 0;           ///< share of the tetrahedra's volume that is tissue
   double leastFill = 0;          ///< of a tetrahedron, before the floor that fillFractions keeps
+  double stepMs = 0;             ///< see expectedStepMs; 0 where rigid
   double thinnest = 0;           ///< m, twice the volume over half the area: a rough thickness of a sheet
 };
 
@@ -49,9 +50,10 @@ Result<Body> makeBody(const Part& part, const BodyWish& wish, const IsStale& isS
 /// triangles of the new one; one that would be left empty goes, unless the surface is the same.
 Part withBody(const Part& part, const BodyWish& wish, const Body& body);
 
-/// Expected time of one step with the profile `direct` for so many soft nodes and tetrahedra in all, ms, on a machine
-/// like the one the coefficients were measured on: assembly is linear in the tetrahedra, factorisation grows with the
-/// power 1.5 of the nodes of each island, contacts are not counted. Good within a factor of two; bench tells the truth.
-double expectedStepMs(const Joint& joint);
+/// What a soft part adds to a step with the profile `direct`, ms of one core: its assembly by the number of tetrahedra,
+/// its factorisation by the products of blocks that the symbolic phase counts, the solve by the blocks of the factor.
+/// Contacts and the fill that couplings add are not counted. The coefficients were fitted to blocks of 40 to 8640
+/// tetrahedra on one server core of 2023, where they are right within a factor of 1.5; bench tells the truth.
+double expectedStepMs(const TetMesh& volume);
 
 }  // namespace glenoid

@@ -12,12 +12,19 @@ namespace glenoid {
 Result<std::vector<Material>> parseMaterialLibrary(std::string_view text, const std::string& file) {
   auto json = parseJson(text, file);
   if (!json) return json.error();
-  // A library is what a joint without parts holds, so one schema says what a material is.
+  // A library is what a joint holds beside its parts, so one schema says what a material is; the part is a stand-in.
   JsonValue joint = std::move(*json);
   if (joint.isObject()) {
     joint.set("id", JsonValue("library"));
     joint.set("name", JsonValue("library"));
-    joint.set("parts", JsonValue::array());
+    JsonValue part, parts = JsonValue::array();
+    part.set("id", JsonValue("part"));
+    part.set("number", JsonValue(1));
+    part.set("kind", JsonValue("rigid"));
+    part.set("visual", JsonValue("none"));
+    part.set("collision", JsonValue("none"));
+    parts.append(std::move(part));
+    joint.set("parts", std::move(parts));
   }
   if (const auto valid = validate(joint, Schema::Joint, file); !valid) return valid.error();
   std::vector<Material> materials = scene_json::vectorOf(joint["materials"], scene_json::toMaterial);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/core/tools/Authoring.h"
 
+#include <QPointer>
 #include <QUndoCommand>
 
 #include "editor/core/AuthorEdits.h"
@@ -17,12 +18,15 @@ constexpr std::array<float, 3> kSelected{1.0f, 0.55f, 0.10f}, kPreview{0.30f, 0.
 class Authoring::PickCommand : public QUndoCommand {
  public:
   PickCommand(Authoring& authoring, const QString& text, Picked before, Picked after)
-      : QUndoCommand(text), m_authoring(authoring), m_before(std::move(before)), m_after(std::move(after)) {}
-  void undo() override { m_authoring.set(m_before); }
-  void redo() override { m_authoring.set(m_after); }
+      : QUndoCommand(text), m_authoring(&authoring), m_before(std::move(before)), m_after(std::move(after)) {}
+  void undo() override { give(m_before); }
+  void redo() override { give(m_after); }
 
  private:
-  Authoring& m_authoring;
+  void give(const Picked& picked) {
+    if (m_authoring) m_authoring->set(picked);
+  }
+  QPointer<Authoring> m_authoring;  // the document's steps may outlive the window
   Picked m_before, m_after;
 };
 

@@ -4,17 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "editor/render/View.h"
+#include "editor/core/tools/Viewport.h"
 #include "simcore/mesh/TriMesh.h"
 
 namespace glenoid {
-
-/// Where a viewer stands and how large the window is; pixels from the top left.
-struct Viewport {
-  View view;
-  int width = 1, height = 1;
-};
-bool sameViewport(const Viewport& a, const Viewport& b);
 
 /// One surface as it is seen from one place among others that may hide it: for each triangle the pixel of its centre
 /// and whether it is seen. All picking in the plane of the screen (box, lasso, brush) asks here. Made once for a

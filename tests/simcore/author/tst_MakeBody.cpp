@@ -89,18 +89,17 @@ TEST(WithBody, regionsGoToTheNewSurface) {
   for (const int t : trianglesOf(out.regions[0])) ASSERT_LT(t, static_cast<int>(out.collision->triangles.size()));
 }
 
-TEST(ExpectedStep, growsWithTheTetrahedra) {
-  Joint joint;
-  joint.parts.push_back(ball());
-  const double rigid = expectedStepMs(joint);
-  double last = rigid;
+TEST(ExpectedStep, growsWithTheTetrahedraAndMoreThanInProportion) {
+  double last = 0, tets = 0;
   for (const double cell : {0.012, 0.008, 0.005}) {
-    const BodyWish wish{PartKind::Soft, 300, cell};
-    joint.parts[0] = withBody(ball(), wish, *makeBody(ball(), wish));
-    const double now = expectedStepMs(joint);
-    EXPECT_GT(now, last);
-    last = now;
+    const auto body = makeBody(ball(), {PartKind::Soft, 300, cell});
+    ASSERT_TRUE(body.ok());
+    EXPECT_EQ(body->figures.stepMs, expectedStepMs(*body->volume));
+    EXPECT_GT(body->figures.stepMs, last * body->figures.tetrahedra / std::max(tets, 1.0));
+    last = body->figures.stepMs;
+    tets = body->figures.tetrahedra;
   }
+  EXPECT_EQ(makeBody(ball(), {PartKind::Rigid, 300})->figures.stepMs, 0);
 }
 
 }  // namespace
