@@ -12,6 +12,58 @@
     </message>
 </context>
 <context>
+    <name>glenoid::BodyPanel</name>
+    <message numerus="yes">
+        <source>%n triangle(s) matter more than the others.</source>
+        <translation>
+            <numerusform>%n triangle matters more than the others.</numerusform>
+            <numerusform>%n triangles matter more than the others.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are seen</source>
+        <translation>
+            <numerusform>%n triangle is seen</numerusform>
+            <numerusform>%n triangles are seen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) collide</source>
+        <translation>
+            <numerusform>%n triangle collides</numerusform>
+            <numerusform>%n triangles collide</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s) deform</source>
+        <translation>
+            <numerusform>%n tetrahedron deforms</numerusform>
+            <numerusform>%n tetrahedra deform</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s)</source>
+        <translation>
+            <numerusform>%n tetrahedron</numerusform>
+            <numerusform>%n tetrahedra</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The tetrahedra fall into %n piece(s): take smaller cells.</source>
+        <translation>
+            <numerusform>The tetrahedra form %n piece.</numerusform>
+            <numerusform>The tetrahedra fall into %n pieces: take smaller cells.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::CagePanel</name>
     <message numerus="yes">
         <source>%n handle(s); pick some in the view to move them.</source>

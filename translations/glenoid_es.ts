@@ -530,6 +530,18 @@
         <source>Start</source>
         <translation>Inicio</translation>
     </message>
+    <message>
+        <source>Make a bod&amp;y</source>
+        <translation>Crear un c&amp;uerpo</translation>
+    </message>
+    <message>
+        <source>Show how the chosen part collides and deforms, and change it</source>
+        <translation>Mostrar cómo colisiona y se deforma la pieza elegida, y cambiarlo</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::AuthorEdits</name>
@@ -577,6 +589,14 @@
         <source>Couple %1 to %2</source>
         <translation>Acoplar %1 a %2</translation>
     </message>
+    <message>
+        <source>Make the body of %1</source>
+        <translation>Crear el cuerpo de %1</translation>
+    </message>
+    <message>
+        <source>Make %1 of “%2”</source>
+        <translation>Hacer %1 de «%2»</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::Authoring</name>
@@ -606,6 +626,218 @@
             <numerusform>Seleccionar %n triángulo</numerusform>
             <numerusform>Seleccionar %n triángulos</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::BodyPanel</name>
+    <message>
+        <source>No part is chosen.</source>
+        <translation>No hay ninguna pieza elegida.</translation>
+    </message>
+    <message>
+        <source>%1 (library)</source>
+        <translation>%1 (biblioteca)</translation>
+    </message>
+    <message>
+        <source>Paint on the part in the view where the collision surface shall be finer, then mark it here.</source>
+        <translation>Pinte sobre la pieza en la vista donde la superficie de colisión deba ser más fina y márquelo aquí.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) matter more than the others.</source>
+        <translation>
+            <numerusform>%n triángulo importa más que los demás.</numerusform>
+            <numerusform>%n triángulos importan más que los demás.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are seen</source>
+        <translation>
+            <numerusform>%n triángulo se ve</numerusform>
+            <numerusform>%n triángulos se ven</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) collide</source>
+        <translation>
+            <numerusform>%n triángulo colisiona</numerusform>
+            <numerusform>%n triángulos colisionan</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s) deform</source>
+        <translation>
+            <numerusform>%n tetraedro se deforma</numerusform>
+            <numerusform>%n tetraedros se deforman</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing deforms: the part is rigid</source>
+        <translation>Nada se deforma: la pieza es rígida</translation>
+    </message>
+    <message>
+        <source>Making the meshes…</source>
+        <translation>Creando las mallas…</translation>
+    </message>
+    <message>
+        <source>This is what the part has. Move a slider to try another body.</source>
+        <translation>Esto es lo que tiene la pieza. Mueva un deslizador para probar otro cuerpo.</translation>
+    </message>
+    <message>
+        <source>The collision surface leaves the visual one by %1 mm at most, %2 mm on average; its volume is off by %3 %.</source>
+        <translation>La superficie de colisión se aparta de la visual %1 mm como máximo, %2 mm por término medio; su volumen difiere un %3 %.</translation>
+    </message>
+    <message>
+        <source>%1 with %2; tissue fills %3 % of them, the emptiest %4 %.</source>
+        <translation>%1 con %2; el tejido los llena al %3 %, el más vacío al %4 %.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s)</source>
+        <translation>
+            <numerusform>%n tetraedro</numerusform>
+            <numerusform>%n tetraedros</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n nodo</numerusform>
+            <numerusform>%n nodos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The part will add about %1 ms to a step, without contacts.</source>
+        <translation>La pieza añadirá unos %1 ms a un paso, sin contactos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The tetrahedra fall into %n piece(s): take smaller cells.</source>
+        <translation>
+            <numerusform>Los tetraedros forman %n trozo: tome celdas más pequeñas.</numerusform>
+            <numerusform>Los tetraedros se separan en %n trozos: tome celdas más pequeñas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A region on the collision surface that is in use would be lost; take more triangles there.</source>
+        <translation>Se perdería una región de la superficie de colisión que está en uso; ponga más triángulos ahí.</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>Where triangles matter</source>
+        <translation>Dónde importan los triángulos</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Clase:</translation>
+    </message>
+    <message>
+        <source>Collision triangles:</source>
+        <translation>Triángulos de colisión:</translation>
+    </message>
+    <message>
+        <source>Cell size:</source>
+        <translation>Tamaño de celda:</translation>
+    </message>
+    <message>
+        <source>Material:</source>
+        <translation>Material:</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>rígida</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>blanda</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Cells along the part&apos;s own axes</source>
+        <translation>Celdas según los ejes propios de la pieza</translation>
+    </message>
+    <message>
+        <source>Spares a flat oblique part the stairs that the world&apos;s axes would cut</source>
+        <translation>Evita a una pieza plana y oblicua los escalones que cortarían los ejes del mundo</translation>
+    </message>
+    <message>
+        <source>Own copy</source>
+        <translation>Copia propia</translation>
+    </message>
+    <message>
+        <source>Give this part a material of its own, to be changed without changing others</source>
+        <translation>Dar a esta pieza un material propio, para cambiarlo sin cambiar otras</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marcar</translation>
+    </message>
+    <message>
+        <source>The selected triangles of the visual surface matter</source>
+        <translation>Los triángulos seleccionados de la superficie visual importan</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>No triangle matters more than another</source>
+        <translation>Ningún triángulo importa más que otro</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Give the part this body; its cage and the proof of the start go</source>
+        <translation>Dar este cuerpo a la pieza; su jaula y la comprobación del inicio desaparecen</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Volver</translation>
+    </message>
+    <message>
+        <source>Back to what the part has</source>
+        <translation>Volver a lo que tiene la pieza</translation>
+    </message>
+    <message>
+        <source>Collision triangles</source>
+        <translation>Triángulos de colisión</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
+    </message>
+    <message>
+        <source>Kind of the part</source>
+        <translation>Clase de la pieza</translation>
+    </message>
+    <message>
+        <source>Material of the part</source>
+        <translation>Material de la pieza</translation>
+    </message>
+    <message>
+        <source>How much more the marked triangles matter</source>
+        <translation>Cuánto más importan los triángulos marcados</translation>
+    </message>
+    <message>
+        <source>Visual surface</source>
+        <translation>Superficie visual</translation>
+    </message>
+    <message>
+        <source>Collision surface</source>
+        <translation>Superficie de colisión</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedros</translation>
     </message>
 </context>
 <context>
