@@ -409,6 +409,915 @@
     </message>
 </context>
 <context>
+    <name>glenoid::AuthorDocks</name>
+    <message>
+        <source>&amp;Pick triangles</source>
+        <translation>&amp;Seleccionar triángulos</translation>
+    </message>
+    <message>
+        <source>Pick triangles of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through</source>
+        <translation>Seleccionar triángulos de una pieza con el ratón; Mayús añade, Ctrl quita, Alt atraviesa</translation>
+    </message>
+    <message>
+        <source>&amp;Move a cage</source>
+        <translation>&amp;Mover una jaula</translation>
+    </message>
+    <message>
+        <source>Pick and drag the handles of the cage around the chosen part</source>
+        <translation>Seleccionar y arrastrar los tiradores de la jaula de la pieza elegida</translation>
+    </message>
+    <message>
+        <source>By &amp;click</source>
+        <translation>Con un &amp;clic</translation>
+    </message>
+    <message>
+        <source>Pick what is under the cursor</source>
+        <translation>Seleccionar lo que hay bajo el cursor</translation>
+    </message>
+    <message>
+        <source>By &amp;box</source>
+        <translation>Con &amp;rectángulo</translation>
+    </message>
+    <message>
+        <source>Pick what lies in a rectangle</source>
+        <translation>Seleccionar lo que queda dentro de un rectángulo</translation>
+    </message>
+    <message>
+        <source>By &amp;lasso</source>
+        <translation>Con &amp;lazo</translation>
+    </message>
+    <message>
+        <source>Pick what a drawn line goes around</source>
+        <translation>Seleccionar lo que rodea una línea dibujada</translation>
+    </message>
+    <message>
+        <source>By b&amp;rush</source>
+        <translation>Con &amp;pincel</translation>
+    </message>
+    <message>
+        <source>Paint over what shall be picked; [ and ] change the brush</source>
+        <translation>Pintar sobre lo que se quiere seleccionar; [ y ] cambian el pincel</translation>
+    </message>
+    <message>
+        <source>&amp;Grow</source>
+        <translation>&amp;Ampliar</translation>
+    </message>
+    <message>
+        <source>Select one ring of triangles more</source>
+        <translation>Seleccionar un anillo de triángulos más</translation>
+    </message>
+    <message>
+        <source>&amp;Shrink</source>
+        <translation>&amp;Reducir</translation>
+    </message>
+    <message>
+        <source>Select one ring of triangles less</source>
+        <translation>Seleccionar un anillo de triángulos menos</translation>
+    </message>
+    <message>
+        <source>C&amp;onnected</source>
+        <translation>C&amp;onectados</translation>
+    </message>
+    <message>
+        <source>Select the whole piece of surface</source>
+        <translation>Seleccionar todo el trozo de superficie</translation>
+    </message>
+    <message>
+        <source>&amp;None</source>
+        <translation>&amp;Ninguno</translation>
+    </message>
+    <message>
+        <source>Select no triangles</source>
+        <translation>No seleccionar ningún triángulo</translation>
+    </message>
+    <message>
+        <source>&amp;Invert</source>
+        <translation>&amp;Invertir</translation>
+    </message>
+    <message>
+        <source>Select all other triangles</source>
+        <translation>Seleccionar todos los demás triángulos</translation>
+    </message>
+    <message>
+        <source>S&amp;maller brush</source>
+        <translation>Pincel más pe&amp;queño</translation>
+    </message>
+    <message>
+        <source>Make the brush smaller</source>
+        <translation>Hacer el pincel más pequeño</translation>
+    </message>
+    <message>
+        <source>L&amp;arger brush</source>
+        <translation>Pincel más &amp;grande</translation>
+    </message>
+    <message>
+        <source>Make the brush larger</source>
+        <translation>Hacer el pincel más grande</translation>
+    </message>
+    <message>
+        <source>&amp;Author</source>
+        <translation>A&amp;utor</translation>
+    </message>
+    <message>
+        <source>Author&apos;s tools</source>
+        <translation>Herramientas del autor</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Inicio</translation>
+    </message>
+    <message>
+        <source>Make a bod&amp;y</source>
+        <translation>Crear un c&amp;uerpo</translation>
+    </message>
+    <message>
+        <source>Show how the chosen part collides and deforms, and change it</source>
+        <translation>Mostrar cómo colisiona y se deforma la pieza elegida, y cambiarlo</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::AuthorEdits</name>
+    <message>
+        <source>Change the region “%1”</source>
+        <translation>Cambiar la región «%1»</translation>
+    </message>
+    <message>
+        <source>Rename a region to “%1”</source>
+        <translation>Cambiar el nombre de una región a «%1»</translation>
+    </message>
+    <message>
+        <source>Remove the region “%1”</source>
+        <translation>Quitar la región «%1»</translation>
+    </message>
+    <message>
+        <source>Uncouple %1 from %2</source>
+        <translation>Desacoplar %1 de %2</translation>
+    </message>
+    <message>
+        <source>Say why two parts are coupled</source>
+        <translation>Decir por qué se acoplan dos piezas</translation>
+    </message>
+    <message>
+        <source>Change the damping of a coupling</source>
+        <translation>Cambiar la amortiguación de un acoplamiento</translation>
+    </message>
+    <message>
+        <source>Switch the collision of %1 and %2 off</source>
+        <translation>Desactivar la colisión entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>Move the cage of %1</source>
+        <translation>Mover la jaula de %1</translation>
+    </message>
+    <message>
+        <source>Remove the cage of %1</source>
+        <translation>Quitar la jaula de %1</translation>
+    </message>
+    <message>
+        <source>Make the region “%1”</source>
+        <translation>Crear la región «%1»</translation>
+    </message>
+    <message>
+        <source>Couple %1 to %2</source>
+        <translation>Acoplar %1 a %2</translation>
+    </message>
+    <message>
+        <source>Make the body of %1</source>
+        <translation>Crear el cuerpo de %1</translation>
+    </message>
+    <message>
+        <source>Make %1 of “%2”</source>
+        <translation>Hacer %1 de «%2»</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::Authoring</name>
+    <message>
+        <source>Grow the selection</source>
+        <translation>Ampliar la selección</translation>
+    </message>
+    <message>
+        <source>Shrink the selection</source>
+        <translation>Reducir la selección</translation>
+    </message>
+    <message>
+        <source>Select what is connected</source>
+        <translation>Seleccionar lo que está conectado</translation>
+    </message>
+    <message>
+        <source>Invert the selection</source>
+        <translation>Invertir la selección</translation>
+    </message>
+    <message>
+        <source>Select no triangles</source>
+        <translation>No seleccionar ningún triángulo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Select %n triangle(s)</source>
+        <translation>
+            <numerusform>Seleccionar %n triángulo</numerusform>
+            <numerusform>Seleccionar %n triángulos</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::BodyPanel</name>
+    <message>
+        <source>No part is chosen.</source>
+        <translation>No hay ninguna pieza elegida.</translation>
+    </message>
+    <message>
+        <source>%1 (library)</source>
+        <translation>%1 (biblioteca)</translation>
+    </message>
+    <message>
+        <source>Paint on the part in the view where the collision surface shall be finer, then mark it here.</source>
+        <translation>Pinte sobre la pieza en la vista donde la superficie de colisión deba ser más fina y márquelo aquí.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) matter more than the others.</source>
+        <translation>
+            <numerusform>%n triángulo importa más que los demás.</numerusform>
+            <numerusform>%n triángulos importan más que los demás.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are seen</source>
+        <translation>
+            <numerusform>%n triángulo se ve</numerusform>
+            <numerusform>%n triángulos se ven</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) collide</source>
+        <translation>
+            <numerusform>%n triángulo colisiona</numerusform>
+            <numerusform>%n triángulos colisionan</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s) deform</source>
+        <translation>
+            <numerusform>%n tetraedro se deforma</numerusform>
+            <numerusform>%n tetraedros se deforman</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing deforms: the part is rigid</source>
+        <translation>Nada se deforma: la pieza es rígida</translation>
+    </message>
+    <message>
+        <source>Making the meshes…</source>
+        <translation>Creando las mallas…</translation>
+    </message>
+    <message>
+        <source>This is what the part has. Move a slider to try another body.</source>
+        <translation>Esto es lo que tiene la pieza. Mueva un deslizador para probar otro cuerpo.</translation>
+    </message>
+    <message>
+        <source>The collision surface leaves the visual one by %1 mm at most, %2 mm on average; its volume is off by %3 %.</source>
+        <translation>La superficie de colisión se aparta de la visual %1 mm como máximo, %2 mm por término medio; su volumen difiere un %3 %.</translation>
+    </message>
+    <message>
+        <source>%1 with %2; tissue fills %3 % of them, the emptiest %4 %.</source>
+        <translation>%1 con %2; el tejido los llena al %3 %, el más vacío al %4 %.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tetrahedron(s)</source>
+        <translation>
+            <numerusform>%n tetraedro</numerusform>
+            <numerusform>%n tetraedros</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n nodo</numerusform>
+            <numerusform>%n nodos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The part will add about %1 ms to a step, without contacts.</source>
+        <translation>La pieza añadirá unos %1 ms a un paso, sin contactos.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The tetrahedra fall into %n piece(s): take smaller cells.</source>
+        <translation>
+            <numerusform>Los tetraedros forman %n trozo: tome celdas más pequeñas.</numerusform>
+            <numerusform>Los tetraedros se separan en %n trozos: tome celdas más pequeñas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A region on the collision surface that is in use would be lost; take more triangles there.</source>
+        <translation>Se perdería una región de la superficie de colisión que está en uso; ponga más triángulos ahí.</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>Where triangles matter</source>
+        <translation>Dónde importan los triángulos</translation>
+    </message>
+    <message>
+        <source>Kind:</source>
+        <translation>Clase:</translation>
+    </message>
+    <message>
+        <source>Collision triangles:</source>
+        <translation>Triángulos de colisión:</translation>
+    </message>
+    <message>
+        <source>Cell size:</source>
+        <translation>Tamaño de celda:</translation>
+    </message>
+    <message>
+        <source>Material:</source>
+        <translation>Material:</translation>
+    </message>
+    <message>
+        <source>rigid</source>
+        <translation>rígida</translation>
+    </message>
+    <message>
+        <source>soft</source>
+        <translation>blanda</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Cells along the part&apos;s own axes</source>
+        <translation>Celdas según los ejes propios de la pieza</translation>
+    </message>
+    <message>
+        <source>Spares a flat oblique part the stairs that the world&apos;s axes would cut</source>
+        <translation>Evita a una pieza plana y oblicua los escalones que cortarían los ejes del mundo</translation>
+    </message>
+    <message>
+        <source>Own copy</source>
+        <translation>Copia propia</translation>
+    </message>
+    <message>
+        <source>Give this part a material of its own, to be changed without changing others</source>
+        <translation>Dar a esta pieza un material propio, para cambiarlo sin cambiar otras</translation>
+    </message>
+    <message>
+        <source>Mark</source>
+        <translation>Marcar</translation>
+    </message>
+    <message>
+        <source>The selected triangles of the visual surface matter</source>
+        <translation>Los triángulos seleccionados de la superficie visual importan</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguno</translation>
+    </message>
+    <message>
+        <source>No triangle matters more than another</source>
+        <translation>Ningún triángulo importa más que otro</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Aplicar</translation>
+    </message>
+    <message>
+        <source>Give the part this body; its cage and the proof of the start go</source>
+        <translation>Dar este cuerpo a la pieza; su jaula y la comprobación del inicio desaparecen</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Volver</translation>
+    </message>
+    <message>
+        <source>Back to what the part has</source>
+        <translation>Volver a lo que tiene la pieza</translation>
+    </message>
+    <message>
+        <source>Collision triangles</source>
+        <translation>Triángulos de colisión</translation>
+    </message>
+    <message>
+        <source>Cell size</source>
+        <translation>Tamaño de celda</translation>
+    </message>
+    <message>
+        <source>Kind of the part</source>
+        <translation>Clase de la pieza</translation>
+    </message>
+    <message>
+        <source>Material of the part</source>
+        <translation>Material de la pieza</translation>
+    </message>
+    <message>
+        <source>How much more the marked triangles matter</source>
+        <translation>Cuánto más importan los triángulos marcados</translation>
+    </message>
+    <message>
+        <source>Visual surface</source>
+        <translation>Superficie visual</translation>
+    </message>
+    <message>
+        <source>Collision surface</source>
+        <translation>Superficie de colisión</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedros</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::CagePanel</name>
+    <message>
+        <source>Stopped; nothing was changed.</source>
+        <translation>Detenido; no se ha cambiado nada.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>A cage goes around a soft part with tetrahedra. Choose one among the parts.</source>
+        <translation>Una jaula rodea una pieza blanda con tetraedros. Elija una entre las piezas.</translation>
+    </message>
+    <message>
+        <source>This part has no cage yet.</source>
+        <translation>Esta pieza aún no tiene jaula.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handle(s); pick some in the view to move them.</source>
+        <translation>
+            <numerusform>%n tirador; selecciónelo en la vista para moverlo.</numerusform>
+            <numerusform>%n tiradores; seleccione algunos en la vista para moverlos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n handle(s) picked. Their mean shift from rest:</source>
+        <translation>
+            <numerusform>%n tirador seleccionado. Su desplazamiento desde el reposo:</numerusform>
+            <numerusform>%n tiradores seleccionados. Su desplazamiento medio desde el reposo:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The start has not been proved.</source>
+        <translation>El inicio no se ha comprobado.</translation>
+    </message>
+    <message>
+        <source>The proof is of an older start; prove it again.</source>
+        <translation>La comprobación es de un inicio anterior; compruébelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Proved: no triangles cut among %1, least volume ratio %2.</source>
+        <translation>Comprobado: ningún triángulo se corta entre %1; menor razón de volumen %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of parts</source>
+        <translation>
+            <numerusform>%n par de piezas</numerusform>
+            <numerusform>%n pares de piezas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The proof fails: %1, least volume ratio %2.</source>
+        <translation>La comprobación falla: %1; menor razón de volumen %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s)</source>
+        <translation>
+            <numerusform>%n corte</numerusform>
+            <numerusform>%n cortes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>No two parts that may collide overlap at the start.</source>
+        <translation>Al inicio no se solapan dos piezas que puedan colisionar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of parts overlap at the start.</source>
+        <translation>
+            <numerusform>%n par de piezas se solapa al inicio.</numerusform>
+            <numerusform>%n pares de piezas se solapan al inicio.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Making the cage…</source>
+        <translation>Creando la jaula…</translation>
+    </message>
+    <message>
+        <source>Make a cage around %1</source>
+        <translation>Crear una jaula alrededor de %1</translation>
+    </message>
+    <message>
+        <source>Moving cages apart…</source>
+        <translation>Separando las jaulas…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Moving cages apart: %n pair(s) still overlap.</source>
+        <translation>
+            <numerusform>Separando las jaulas: %n par aún se solapa.</numerusform>
+            <numerusform>Separando las jaulas: %n pares aún se solapan.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The joint was changed meanwhile; ask again.</source>
+        <translation>La articulación ha cambiado entretanto; pídalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>Separate the start by cages</source>
+        <translation>Separar el inicio con jaulas</translation>
+    </message>
+    <message>
+        <source>Nothing overlaps any more; the surface moved by %1 mm at most.</source>
+        <translation>Ya no se solapa nada; la superficie se ha movido %1 mm como máximo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) still overlap; move their cages by hand or allow more handles.</source>
+        <translation>
+            <numerusform>%n par aún se solapa; mueva sus jaulas a mano o permita más tiradores.</numerusform>
+            <numerusform>%n pares aún se solapan; mueva sus jaulas a mano o permita más tiradores.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Counting every cut…</source>
+        <translation>Contando todos los cortes…</translation>
+    </message>
+    <message>
+        <source>Prove the start</source>
+        <translation>Comprobar el inicio</translation>
+    </message>
+    <message>
+        <source>Cage</source>
+        <translation>Jaula</translation>
+    </message>
+    <message>
+        <source>Overlaps at the start</source>
+        <translation>Solapamientos al inicio</translation>
+    </message>
+    <message>
+        <source>Around:</source>
+        <translation>Alrededor de:</translation>
+    </message>
+    <message>
+        <source>Handles:</source>
+        <translation>Tiradores:</translation>
+    </message>
+    <message>
+        <source>Anterior:</source>
+        <translation>Anterior:</translation>
+    </message>
+    <message>
+        <source>Superior:</source>
+        <translation>Superior:</translation>
+    </message>
+    <message>
+        <source>Lateral:</source>
+        <translation>Lateral:</translation>
+    </message>
+    <message>
+        <source>Clearance:</source>
+        <translation>Holgura:</translation>
+    </message>
+    <message>
+        <source>Number of handles of a new cage</source>
+        <translation>Número de tiradores de una jaula nueva</translation>
+    </message>
+    <message>
+        <source>Make</source>
+        <translation>Crear</translation>
+    </message>
+    <message>
+        <source>Make a cage around this part; an old one goes</source>
+        <translation>Crear una jaula alrededor de esta pieza; la anterior desaparece</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Restablecer</translation>
+    </message>
+    <message>
+        <source>Put all handles back to rest</source>
+        <translation>Devolver todos los tiradores al reposo</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Let the part start at rest</source>
+        <translation>Dejar que la pieza empiece en reposo</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Sugerir</translation>
+    </message>
+    <message>
+        <source>Move cages until no two parts cut each other</source>
+        <translation>Mover las jaulas hasta que ninguna pieza corte a otra</translation>
+    </message>
+    <message>
+        <source>Prove</source>
+        <translation>Comprobar</translation>
+    </message>
+    <message>
+        <source>Count every cut exactly and write the result into the joint</source>
+        <translation>Contar todos los cortes con exactitud y anotar el resultado en la articulación</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Detener</translation>
+    </message>
+    <message>
+        <source>Stop what is under way; nothing is changed then</source>
+        <translation>Detener lo que está en marcha; entonces no se cambia nada</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Shift of the picked handles</source>
+        <translation>Desplazamiento de los tiradores seleccionados</translation>
+    </message>
+    <message>
+        <source>Clearance that a suggestion keeps</source>
+        <translation>Holgura que mantiene una sugerencia</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Piezas</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Profundidad</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Cortes</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Progreso</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::CouplingPanel</name>
+    <message>
+        <source>Select the region “%1”</source>
+        <translation>Seleccionar la región «%1»</translation>
+    </message>
+    <message>
+        <source>New region</source>
+        <translation>Región nueva</translation>
+    </message>
+    <message>
+        <source>%1 kPa per mm</source>
+        <translation>%1 kPa por mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) selected</source>
+        <translation>
+            <numerusform>%n triángulo seleccionado</numerusform>
+            <numerusform>%n triángulos seleccionados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 mm², %3 % of the surface.</source>
+        <translation>%1: %2 mm², %3 % de la superficie.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Paint on the part in the view, or take what is near.</source>
+        <translation>No hay nada seleccionado. Pinte sobre la pieza en la vista o tome lo que está cerca.</translation>
+    </message>
+    <message>
+        <source>The materials suggest %1 N/mm per cm²: the softer tissue&apos;s modulus over one cell.</source>
+        <translation>Los materiales sugieren %1 N/mm por cm²: el módulo del tejido más blando entre el tamaño de una celda.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 con %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>Choose a coupling to see its figures.</source>
+        <translation>Elija un acoplamiento para ver sus cifras.</translation>
+    </message>
+    <message>
+        <source>Counting springs…</source>
+        <translation>Contando los muelles…</translation>
+    </message>
+    <message>
+        <source>%1 over %2 mm² (%3 % of the part), %4 N/mm in all. The region lies %5 mm from the other part on average, %6 mm at most.</source>
+        <translation>%1 en %2 mm² (%3 % de la pieza), %4 N/mm en total. La región queda a %5 mm de la otra pieza por término medio, a %6 mm como máximo.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spring(s)</source>
+        <translation>
+            <numerusform>%n muelle</numerusform>
+            <numerusform>%n muelles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2 are bonded over %3 mm², %4 % of the smaller one and %5 % of what lies near. They need no collision.</source>
+        <translation>%1 y %2 están unidas en %3 mm², el %4 % de la menor y el %5 % de lo que queda cerca. No necesitan colisión.</translation>
+    </message>
+    <message>
+        <source>Switch their collision off</source>
+        <translation>Desactivar su colisión</translation>
+    </message>
+    <message>
+        <source>Select what is within %1 mm</source>
+        <translation>Seleccionar lo que está a menos de %1 mm</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Regions of this part</source>
+        <translation>Regiones de esta pieza</translation>
+    </message>
+    <message>
+        <source>New coupling</source>
+        <translation>Acoplamiento nuevo</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Acoplamientos</translation>
+    </message>
+    <message>
+        <source>Pick on:</source>
+        <translation>Seleccionar en:</translation>
+    </message>
+    <message>
+        <source>Surface:</source>
+        <translation>Superficie:</translation>
+    </message>
+    <message>
+        <source>Couple to:</source>
+        <translation>Acoplar a:</translation>
+    </message>
+    <message>
+        <source>Near:</source>
+        <translation>Cerca:</translation>
+    </message>
+    <message>
+        <source>Stiffness:</source>
+        <translation>Rigidez:</translation>
+    </message>
+    <message>
+        <source>This means:</source>
+        <translation>Es decir:</translation>
+    </message>
+    <message>
+        <source>Why:</source>
+        <translation>Por qué:</translation>
+    </message>
+    <message>
+        <source>Damping:</source>
+        <translation>Amortiguación:</translation>
+    </message>
+    <message>
+        <source>visual</source>
+        <translation>visual</translation>
+    </message>
+    <message>
+        <source>collision</source>
+        <translation>de colisión</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance to the other part</source>
+        <translation>Distancia a la otra pieza</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Seleccionar</translation>
+    </message>
+    <message>
+        <source>Select all triangles that lie within this distance of the other part, or inside it</source>
+        <translation>Seleccionar todos los triángulos que quedan a menos de esta distancia de la otra pieza, o dentro de ella</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nueva</translation>
+    </message>
+    <message>
+        <source>Make a region of what is selected</source>
+        <translation>Hacer una región de lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Fijar</translation>
+    </message>
+    <message>
+        <source>The chosen region becomes what is selected</source>
+        <translation>La región elegida pasa a ser lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove the chosen region; one that is in use stays</source>
+        <translation>Quitar la región elegida; la que está en uso se queda</translation>
+    </message>
+    <message>
+        <source> N/mm per cm²</source>
+        <translation> N/mm por cm²</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Damping force per velocity, over the stiffness</source>
+        <translation>Fuerza de amortiguación por velocidad, dividida por la rigidez</translation>
+    </message>
+    <message>
+        <source>What joins the two, for people</source>
+        <translation>Qué une a las dos, para las personas</translation>
+    </message>
+    <message>
+        <source>Couple over the selection</source>
+        <translation>Acoplar en la selección</translation>
+    </message>
+    <message>
+        <source>Remove this coupling</source>
+        <translation>Quitar este acoplamiento</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Piezas</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Región</translation>
+    </message>
+    <message>
+        <source>Springs</source>
+        <translation>Muelles</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Hueco</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Rigidez</translation>
+    </message>
+    <message>
+        <source>Couplings of the joint</source>
+        <translation>Acoplamientos de la articulación</translation>
+    </message>
+    <message>
+        <source>Regions of the part</source>
+        <translation>Regiones de la pieza</translation>
+    </message>
+    <message>
+        <source>Stiffness per area</source>
+        <translation>Rigidez por superficie</translation>
+    </message>
+    <message>
+        <source>Damping of the coupling</source>
+        <translation>Amortiguación del acoplamiento</translation>
+    </message>
+    <message>
+        <source>Why the parts are coupled</source>
+        <translation>Por qué se acoplan las piezas</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::Document</name>
     <message>
         <source>Change the stiffness of “%1”</source>
@@ -657,6 +1566,14 @@
     <message>
         <source>Show the names of what is seen</source>
         <translation>Mostrar los nombres de lo que se ve</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Islas</translation>
+    </message>
+    <message>
+        <source>Colour the parts by what couplings join; fixed parts keep their colour</source>
+        <translation>Colorear las piezas según lo que unen los acoplamientos; las piezas fijas conservan su color</translation>
     </message>
 </context>
 <context>
@@ -1143,18 +2060,6 @@
         <source>Switch on contact between “%1” and “%2”</source>
         <translation>Activar el contacto entre «%1» y «%2»</translation>
     </message>
-    <message>
-        <source>Put a cage around “%1”</source>
-        <translation>Poner una jaula alrededor de «%1»</translation>
-    </message>
-    <message>
-        <source>Remove the cage around “%1”</source>
-        <translation>Quitar la jaula de «%1»</translation>
-    </message>
-    <message>
-        <source>Move handles around “%1”</source>
-        <translation>Mover los tiradores de «%1»</translation>
-    </message>
 </context>
 <context>
     <name>glenoid::PartTree</name>
@@ -1362,10 +2267,6 @@
         <translation>Desactivar el contacto entre «%1» y «%2»</translation>
     </message>
     <message>
-        <source>Remove the cage around “%1”</source>
-        <translation>Quitar la jaula de «%1»</translation>
-    </message>
-    <message>
         <source>Move the handles around “%1” back</source>
         <translation>Devolver los tiradores de «%1»</translation>
     </message>
@@ -1392,6 +2293,10 @@
     <message>
         <source>Note</source>
         <translation>Nota</translation>
+    </message>
+    <message>
+        <source>Remove the cage around “%1”</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

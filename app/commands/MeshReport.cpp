@@ -44,11 +44,11 @@ std::string surfaceText(const ImportedSurface& surface, const SurfaceDiagnosis& 
   out += text("    area %.4g mm², volume %.4g mm³, genus %s, walls %.3g mm at least, %.3g mm in the middle\n", d.area * mm * mm,
               d.volume * mm * mm * mm, d.genus < 0 ? "-" : text("%d", d.genus).c_str(), d.thicknessLeast * mm, d.thicknessMedian * mm);
   for (const Finding& finding : d.findings) {
-    if (finding.kind == FindingKind::Unit && finding.severity == Severity::Note) continue;  // said above
+    if (finding.kind == FindingKind::Unit && finding.severity == FindingSeverity::Note) continue;  // said above
     std::string what = text("%ld", finding.count);
     if (finding.kind == FindingKind::Holes) what += text(" (longest %.3g mm around)", finding.measure * mm);
     if (finding.kind == FindingKind::Thin) what += text(" (%.3g mm in the middle)", finding.measure * mm);
-    out += text("    %-8s %-22s %-30s ", severityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding) + "\n";
+    out += text("    %-8s %-22s %-30s ", findingSeverityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding) + "\n";
   }
   return out + (d.healthy() ? "    healthy: closed, manifold, wound outwards\n" : "    not fit to be simulated as it is\n");
 }
@@ -64,7 +64,7 @@ Json surfaceJson(const ImportedSurface& surface, const SurfaceDiagnosis& d) {
   for (const Finding& finding : d.findings) {
     Json repairs = Json::array();
     for (const RepairStep& step : finding.repairs) repairs.append(toWord(step));
-    findings.append(jsonObject({{"kind", findingName(finding.kind)}, {"severity", severityName(finding.severity)}, {"count", finding.count},
+    findings.append(jsonObject({{"kind", findingName(finding.kind)}, {"severity", findingSeverityName(finding.severity)}, {"count", finding.count},
                                 {"measure", finding.measure}, {"repairs", repairs}, {"harmless", finding.harmless},
                                 {"triangles", static_cast<long>(finding.triangles.size())}}));
   }

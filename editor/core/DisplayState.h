@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QObject>
+#include <array>
 #include <map>
 #include <string>
 
@@ -15,9 +16,13 @@ namespace glenoid {
 class DisplayState : public QObject {
   Q_OBJECT
  public:
-  enum class Layer { Visual, Collision, Dynamics, Couplings, Contacts, Regions, Labels, Marker };
+  enum class Layer { Visual, Collision, Dynamics, Couplings, Islands, Contacts, Regions, Labels, Marker };
   static constexpr Layer kLayers[] = {Layer::Visual,   Layer::Collision, Layer::Dynamics, Layer::Couplings,
-                                      Layer::Contacts, Layer::Regions,   Layer::Labels,   Layer::Marker};
+                                      Layer::Islands,  Layer::Contacts,  Layer::Regions,  Layer::Labels,
+                                      Layer::Marker};
+
+  /// Colour of a coupling island, sRGB; neighbours in number differ clearly. Fixed parts keep their own colour.
+  static std::array<float, 3> islandColor(int island);
 
   using QObject::QObject;
 

@@ -214,36 +214,4 @@ bool removeExclusion(Document& document, const std::string& partA, const std::st
                 });
 }
 
-bool putPartCage(Document& document, const Cage& cage) {
-  const int index = findPart(document.joint(), cage.part);
-  if (index < 0 || document.joint().parts[index].kind != PartKind::Soft || cage.rest_W.size() != cage.moved_W.size()) return false;
-  for (const Cage& other : document.joint().cages)
-    if (other.id == cage.id && other.part != cage.part) return false;
-  const Cage* old = findCage(document.joint(), cage.part);
-  if (old && *old == cage) return false;
-  return change(document, PartEdits::tr("Put a cage around “%1”").arg(nameOf(document.joint(), cage.part)), [&](Scene& scene) {
-    Joint& joint = scene.joint;
-    const auto found = std::find_if(joint.cages.begin(), joint.cages.end(), [&](const Cage& c) { return c.part == cage.part; });
-    if (found != joint.cages.end()) *found = cage;
-    else joint.cages.push_back(cage);
-    joint.startProof.reset();
-  });
-}
-
-bool removePartCage(Document& document, const std::string& part) {
-  if (!findCage(document.joint(), part)) return false;
-  return change(document, PartEdits::tr("Remove the cage around “%1”").arg(nameOf(document.joint(), part)),
-                [&](Scene& scene) { dropCage(scene.joint, part); });
-}
-
-bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture) {
-  const Cage* cage = findCage(document.joint(), part);
-  if (!cage || cage->moved_W.size() != moved_W.size() || cage->moved_W == moved_W) return false;
-  return change(document, PartEdits::tr("Move handles around “%1”").arg(nameOf(document.joint(), part)), [&](Scene& scene) {
-    for (Cage& each : scene.joint.cages)
-      if (each.part == part) each.moved_W = moved_W;
-    scene.joint.startProof.reset();
-  }, gesture);
-}
-
 }  // namespace glenoid

@@ -8,9 +8,9 @@
 
 #include "editor/core/Document.h"
 
-/// What an author does to parts, materials, contact pairs and cages: each function is one undo step on the document, or
+/// What an author does to parts, materials and contact pairs: each function is one undo step on the document, or
 /// does nothing and answers false (an id is unknown or taken, a reference leads nowhere, or the value is the same).
-/// Regions and couplings are in AuthorEdits. SI units. GUI thread only.
+/// Regions, couplings and cages are in AuthorEdits. SI units. GUI thread only.
 namespace glenoid {
 
 bool renamePart(Document& document, const std::string& part, const QString& name);
@@ -41,11 +41,5 @@ bool removeMaterial(Document& document, const std::string& material);
 
 bool addExclusion(Document& document, const Exclusion& exclusion);
 bool removeExclusion(Document& document, const std::string& partA, const std::string& partB);
-
-/// Around a soft part, in the place of the one it had. Drops the proof of the start, as all that moves it does.
-bool putPartCage(Document& document, const Cage& cage);
-bool removePartCage(Document& document, const std::string& part);
-/// Where the handles stand, as many as the cage has. A drag is one step until Document::endGesture().
-bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture = {});
 
 }  // namespace glenoid

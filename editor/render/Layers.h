@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@ struct ObjectLook {
   float opacity = 1;      ///< 0…1; below 1 the object's front layer is blended
   bool selected = false;  ///< outline and tint
   bool hovered = false;   ///< fainter than selected
+  std::optional<std::array<float, 3>> color = std::nullopt;  ///< sRGB, in place of the object's own
 };
 
 /// Triangles of one surface in a colour of their own: a region that is being picked, an error shown in place.
@@ -27,12 +29,26 @@ struct TriangleMark {
   std::array<float, 3> color{1.0f, 0.55f, 0.1f};  ///< sRGB
 };
 
+/// Lines and dots that belong to no object: handles, arrows, the outline of what is being picked.
+struct Strokes {
+  struct End {
+    Eigen::Vector3f at;
+    std::array<float, 4> color{1, 1, 1, 1};  ///< sRGB and alpha
+  };
+  std::vector<End> lines;  ///< two by two
+  std::vector<End> dots;
+  float linePx = 1.5f, dotPx = 7;  ///< logical pixels
+  bool onScreen = false;           ///< `at` in logical pixels from the top left, on top of all; else W, m
+  float hiddenStrength = 0.3f;     ///< how much of it is seen through surfaces, 0…1
+};
+
 /// What is shown: each layer for itself, as in the paper's Figure 1.
 struct Layers {
   bool visual = true;               ///< visual surfaces, smooth
   bool collision = false;           ///< collision surfaces, flat with their edges
   bool dynamics = false;            ///< edges of the tetrahedra
   bool couplings = false;           ///< springs and their ends
+  bool islands = false;             ///< parts in the colour of their coupling island; `objects` holds the colours
   bool contacts = false;            ///< points, normals, length by force
   bool tools = true;                ///< tools, whatever surface is shown
   bool regions = false;             ///< all named regions, colour by kind
@@ -40,6 +56,7 @@ struct Layers {
   bool marker = true;               ///< orientation in the corner
   std::vector<ObjectLook> objects;  ///< by object index; missing entries: default
   std::vector<TriangleMark> marks;
+  std::vector<Strokes> strokes;
   std::map<std::string, std::string> names;  ///< for labels: what to write in place of a name of the model
 
   ObjectLook lookOf(int object) const {

@@ -46,7 +46,7 @@ void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const
   surface->set("worldToView", eye.worldToView);
   surface->set("viewToClip", eye.viewToClip);
   surface->set("up_V", eye.up_V);
-  surface->set("color", colorOf(object));
+  surface->set("color", look.color ? linearColor((*look.color)[0], (*look.color)[1], (*look.color)[2]) : colorOf(object));
   surface->set("opacity", look.opacity);
   surface->set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
   const bool plain = shown.kind == SurfaceKind::Collision;
@@ -103,11 +103,17 @@ void SceneRenderer::Inside::drawOverlays(const Shown& shown, const Layers& layer
     if (mark.object != shown.object || mark.surface != shown.kind) continue;
     counts.clear();
     offsets.clear();
+    int next = -1;  // after the run so far: neighbours in the list are one draw
     for (const int t : mark.triangles) {
       if (t < 0 || 3 * t >= ranges.triangles.count) continue;
-      counts.push_back(3);
-      offsets.push_back(
-          reinterpret_cast<const void*>(static_cast<std::size_t>(ranges.triangles.first + 3 * t) * 4));
+      if (t == next) {
+        counts.back() += 3;
+      } else {
+        counts.push_back(3);
+        offsets.push_back(
+            reinterpret_cast<const void*>(static_cast<std::size_t>(ranges.triangles.first + 3 * t) * 4));
+      }
+      next = t + 1;
     }
     surface->set("color", linearColor(mark.color[0], mark.color[1], mark.color[2]));
     surface->set("opacity", 0.85f);
@@ -149,6 +155,7 @@ void SceneRenderer::Inside::drawScene(const Eye& eye, const Layers& layers,
     glDepthFunc(test);
     if (layers.couplings) drawSprings(layers, strokeScale, strength);
     if (layers.contacts) drawContacts(layers, contacts, strokeScale, strength);
+    if (!layers.strokes.empty()) drawStrokes(layers, strokeScale, test == GL_GREATER);
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
   };
@@ -157,7 +164,7 @@ void SceneRenderer::Inside::drawScene(const Eye& eye, const Layers& layers,
   std::stable_sort(blended.begin(), blended.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [distance, s] : blended) drawFilled(s, eye, layers);
-  if (layers.couplings || layers.contacts) strokes(0.35f, GL_GREATER);
+  if (layers.couplings || layers.contacts || !layers.strokes.empty()) strokes(0.35f, GL_GREATER);
   glDepthFunc(GL_LESS);
   glDisable(GL_DEPTH_TEST);
 }
@@ -192,19 +199,26 @@ void SceneRenderer::Inside::drawEdges(const std::vector<Shown>& shown, const Lay
 }
 
 void SceneRenderer::Inside::drawSprings(const Layers& layers, double scale, float strength) {
-  const Eigen::Vector3f line = linearColor(0.10f, 0.55f, 0.62f), end = linearColor(0.16f, 0.78f, 0.80f);
+  Eigen::Vector3f line = linearColor(0.10f, 0.55f, 0.62f), end = linearColor(0.16f, 0.78f, 0.80f);
   // Runs of springs whose objects are both shown.
   const auto seen = [&](int object) { return layers.lookOf(object).visible; };
   const int springs = scene.springs.count / 2;
   for (int first = 0; first < springs;) {
     int last = first;
-    while (last < springs && seen(scene.springObjects[last][0]) && seen(scene.springObjects[last][1])) ++last;
+    while (last < springs && seen(scene.springObjects[last][0]) && seen(scene.springObjects[last][1]) &&
+           (!layers.islands || scene.springObjects[last] == scene.springObjects[first]))
+      ++last;
     const Range run{scene.springs.first + 2 * first, 2 * (last - first)};
+    if (layers.islands && last > first) {  // a fixed part has no island; then the other one's colour
+      auto own = layers.lookOf(scene.springObjects[first][0]).color;
+      if (!own) own = layers.lookOf(scene.springObjects[first][1]).color;
+      if (own) line = end = linearColor((*own)[0], (*own)[1], (*own)[2]);
+    }
     painter.lines(evaluator.points(), run, withAlpha(line, 0.95f),
                   {static_cast<float>(1.6 * scale), kLift, strength});
     painter.dots(evaluator.points(), run, withAlpha(end, 1),
                  {static_cast<float>(4.0 * scale), kLift, strength});
-    first = last + 1;
+    first = std::max(last, first + 1);
   }
 }
 
@@ -243,6 +257,45 @@ void SceneRenderer::Inside::drawMask(const Eye& eye, const Layers& layers) {
       mask.set("amount", selected ? 1.0f : 0.5f);
       triangles(scene.objects[s.object].surface(s.kind).triangles);
     }
+}
+
+namespace {
+
+std::vector<ColoredPoint> pointsOf(const std::vector<Strokes::End>& ends) {
+  std::vector<ColoredPoint> points;
+  points.reserve(ends.size());
+  for (const Strokes::End& end : ends)
+    points.push_back({end.at, withAlpha(linearColor(end.color[0], end.color[1], end.color[2]), end.color[3])});
+  return points;
+}
+
+}  // namespace
+
+void SceneRenderer::Inside::drawStrokes(const Layers& layers, double scale, bool hidden) {
+  for (const Strokes& strokes : layers.strokes) {
+    const float strength = hidden ? strokes.hiddenStrength : 1;
+    if (strokes.onScreen || strength <= 0) continue;
+    painter.lines(pointsOf(strokes.lines), {static_cast<float>(strokes.linePx * scale), kLift, strength});
+    painter.dots(pointsOf(strokes.dots), {static_cast<float>(strokes.dotPx * scale), kLift, strength});
+  }
+}
+
+void SceneRenderer::Inside::drawScreenStrokes(const Layers& layers, const Look& look, const Target& target) {
+  Eigen::Matrix4f pixels = Eigen::Matrix4f::Identity();
+  const float ratio = static_cast<float>(std::max(look.pixelRatio, 0.1));
+  pixels(0, 0) = 2 * ratio / static_cast<float>(target.width);
+  pixels(1, 1) = -2 * ratio / static_cast<float>(target.height);
+  pixels(0, 3) = -1;
+  pixels(1, 3) = 1;
+  painter.begin(pixels, target.width, target.height, 0);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const Strokes& strokes : layers.strokes) {
+    if (!strokes.onScreen) continue;
+    painter.lines(pointsOf(strokes.lines), {strokes.linePx * ratio, 0, 1});
+    painter.dots(pointsOf(strokes.dots), {strokes.dotPx * ratio, 0, 1});
+  }
+  glDisable(GL_BLEND);
 }
 
 }  // namespace glenoid

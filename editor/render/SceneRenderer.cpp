@@ -169,6 +169,7 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   if (look.ambientOcclusion) in.drawOcclusion(eye, radius);
   in.drawComposed(layers, look, target, radius);
   if (layers.marker) in.drawMarker(view, look, target);
+  if (!layers.strokes.empty()) in.drawScreenStrokes(layers, look, target);
   if (!labels.empty()) {
     LabelArea area;
     area.width = target.width;

@@ -59,6 +59,8 @@ struct SceneRenderer::Inside {
   void drawSprings(const Layers& layers, double scale, float strength);
   void drawContacts(const Layers& layers, std::span<const ContactView> contacts, double scale,
                     float strength);
+  void drawStrokes(const Layers& layers, double scale, bool hidden);
+  void drawScreenStrokes(const Layers& layers, const Look& look, const Target& target);
   void drawMask(const Eye& eye, const Layers& layers);
   void drawOcclusion(const Eye& eye, double radius);
   void drawComposed(const Layers& layers, const Look& look, const Target& target, double radius);

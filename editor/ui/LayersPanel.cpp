@@ -17,6 +17,7 @@ const char* layerWord(DisplayState::Layer layer) {
     case DisplayState::Layer::Collision: return "collision";
     case DisplayState::Layer::Dynamics: return "dynamics";
     case DisplayState::Layer::Couplings: return "couplings";
+    case DisplayState::Layer::Islands: return "islands";
     case DisplayState::Layer::Contacts: return "contacts";
     case DisplayState::Layer::Regions: return "regions";
     case DisplayState::Layer::Labels: return "labels";
@@ -57,12 +58,13 @@ LayersPanel::LayersPanel(DisplayState& display, QWidget* parent) : QWidget(paren
 }
 
 void LayersPanel::retranslate() {
-  const QStringList names = {tr("Visual"),    tr("Collision"), tr("Dynamics"),   tr("Couplings"),
-                             tr("Contacts"), tr("Regions"),   tr("Labels"),    tr("Orientation")};
+  const QStringList names = {tr("Visual"),   tr("Collision"), tr("Dynamics"), tr("Couplings"), tr("Islands"),
+                             tr("Contacts"), tr("Regions"),   tr("Labels"),   tr("Orientation")};
   const QStringList tips = {tr("Show the smooth visual surfaces"),
                             tr("Show the surfaces that collide, with their edges"),
                             tr("Show the tetrahedra that deform"),
                             tr("Show the springs that couple the parts"),
+                            tr("Colour the parts by what couplings join; fixed parts keep their colour"),
                             tr("Show where parts touch, and how hard"),
                             tr("Show the named regions of the parts"),
                             tr("Show the names of what is seen"),

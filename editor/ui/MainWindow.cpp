@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "editor/core/Sentences.h"
+#include "editor/ui/AuthorDocks.h"
 #include "editor/ui/HistoryPanel.h"
 #include "editor/ui/JobsBar.h"
 #include "editor/ui/LayersPanel.h"
@@ -39,6 +40,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   makeEditActions();
   makeViewActions();
   makeSimulationActions();
+  m_author = new AuthorDocks(*this, m_actions, m_document, m_link, m_display, m_selection, m_view);
   makeMenus();
   makeToolBars();
 
@@ -168,6 +170,7 @@ void MainWindow::retranslate() {
   for (std::size_t i = 0; i < m_menus.size(); ++i) m_menus[i]->setTitle(menus.value(static_cast<int>(i)));
   const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools"), tr("Problems"), tr("History")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
+  m_author->retranslate();
   m_builtinMenu->setTitle(tr("Open a &built-in scene"));
   m_languageMenu->setTitle(tr("&Language"));
   m_solverMenu->setTitle(tr("S&olver"));

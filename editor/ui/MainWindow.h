@@ -18,6 +18,7 @@ class QToolBar;
 
 namespace glenoid {
 
+class AuthorDocks;
 class LayersPanel;
 class PartTree;
 class PropertiesPanel;
@@ -45,6 +46,7 @@ class MainWindow : public QMainWindow {
   /// Work in the background, shown in the status bar.
   JobSystem& jobs() { return m_jobs; }
   ProblemWatch& problems() { return m_problems; }
+  AuthorDocks& author() { return *m_author; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
@@ -94,6 +96,7 @@ class MainWindow : public QMainWindow {
   JobSystem m_jobs;
   ProblemWatch m_problems;
   SceneView* m_view = nullptr;
+  AuthorDocks* m_author = nullptr;
   PartTree* m_tree = nullptr;
   LayersPanel* m_layers = nullptr;
   PropertiesPanel* m_properties = nullptr;

@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "editor/core/Sentences.h"
+#include "editor/ui/AuthorDocks.h"
 #include "editor/ui/Language.h"
 #include "editor/ui/LayersPanel.h"
 #include "editor/ui/MainWindow.h"
@@ -213,6 +214,7 @@ void MainWindow::makeMenus() {
   for (QAction* layer : m_layers->layerActions()) view->addAction(layer);
   view->addSeparator();
   for (QDockWidget* dock : m_docks) view->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : m_author->docks()) view->addAction(dock->toggleViewAction());
   fill(view, {"-", "dark"});
   m_languageMenu = view->addMenu(QString());
   auto* group = new QActionGroup(this);
@@ -224,6 +226,7 @@ void MainWindow::makeMenus() {
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, code] { emit languageWanted(code); });
   }
+  menuBar()->addMenu(m_author->menu());
   QMenu* simulate = menu();
   fill(simulate, {"play", "step", "reset", "-"});
   m_solverMenu = simulate->addMenu(QString());
@@ -261,7 +264,9 @@ void MainWindow::makeToolBars() {
   run->addSeparator();
   for (QAction* layer : m_layers->layerActions()) run->addAction(layer);
   // Qt gives buttons of a toolbar no accessible name; they follow their actions' texts.
-  for (QToolBar* target : m_toolBars) {
+  std::vector<QToolBar*> all = m_toolBars;
+  all.push_back(m_author->toolBar());
+  for (QToolBar* target : all) {
     for (QAction* action : target->actions()) {
       QWidget* button = target->widgetForAction(action);
       if (!button || action->isSeparator()) continue;

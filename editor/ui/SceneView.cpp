@@ -83,7 +83,26 @@ Look SceneView::look() const {
   return look;
 }
 
-Layers SceneView::layers() const { return m_model ? m_display.layersFor(*m_model, m_selection) : Layers{}; }
+Layers SceneView::layers() const {
+  if (!m_model) return {};
+  Layers layers = m_display.layersFor(*m_model, m_selection);
+  if (m_authoring) m_authoring->decorate(*m_model, viewport(), layers);
+  return layers;
+}
+
+const VecX& SceneView::shownState() {
+  const Snapshot& snapshot = m_link.snapshot();
+  const VecX* authored = m_authoring ? m_authoring->stateFor(snapshot.model) : nullptr;
+  return authored ? *authored : snapshot.q;
+}
+
+void SceneView::setAuthoring(Authoring* authoring) {
+  if (m_authoring) m_authoring->disconnect(this);
+  m_authoring = authoring;
+  if (!authoring) return;
+  connect(authoring, &Authoring::looksChanged, this, [this] { requestDraw(); });
+  connect(authoring, &Authoring::toolChanged, this, [this] { isAuthoring() ? setCursor(Qt::CrossCursor) : unsetCursor(); });
+}
 
 Target SceneView::target() const {
   const double ratio = devicePixelRatioF();
@@ -117,7 +136,7 @@ void SceneView::paintGL() {
   if (m_coarse) {
     drawCoarse(m_view, snapshot);
   } else {
-    m_renderer->draw(m_view, snapshot.q, layers(), snapshot.report.contactViews, look(), target());
+    m_renderer->draw(m_view, shownState(), layers(), snapshot.report.contactViews, look(), target());
   }
   if (m_software) {
     context()->functions()->glFinish();  // the CPU does the work anyway; now its time is known
@@ -136,7 +155,7 @@ void SceneView::drawCoarse(const View& view, const Snapshot& snapshot) {
   }
   Look coarse = look();
   coarse.pixelRatio /= 2;  // lines keep their width on the screen
-  m_renderer->draw(view, snapshot.q, layers(), snapshot.report.contactViews, coarse,
+  m_renderer->draw(view, shownState(), layers(), snapshot.report.contactViews, coarse,
                    {m_small->handle(), size.width(), size.height()});
   QOpenGLFunctions* gl = context()->functions();
   QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(0, 0, full.width, full.height), m_small.get(),
@@ -160,7 +179,7 @@ QImage SceneView::picture(int width, int height) {
   fine.samples = -1;
   fine.ambientOcclusion = true;
   const Snapshot& snapshot = m_link.snapshot();
-  auto image = m_renderer->picture(m_view, snapshot.q, layers(), snapshot.report.contactViews, fine, width, height);
+  auto image = m_renderer->picture(m_view, shownState(), layers(), snapshot.report.contactViews, fine, width, height);
   doneCurrent();
   if (!image.ok()) return {};
   return QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888).copy();
@@ -179,7 +198,7 @@ void SceneView::setView(const View& view) {
   requestDraw();
 }
 
-Box3 SceneView::boundsOf(const std::set<std::string>& ids) const {
+Box3 SceneView::boundsOf(const std::set<std::string>& ids) {
   Box3 box;
   const Snapshot& snapshot = m_link.snapshot();
   if (!snapshot.model) return box;
@@ -188,7 +207,7 @@ Box3 SceneView::boundsOf(const std::set<std::string>& ids) const {
     const ObjectLook shown{m_display.isVisible(object.id)};
     if (ids.empty() ? !shown.visible || object.tool : ids.count(object.id) == 0) continue;
     points.resize(object.visual.vertices.size());
-    surfacePositions(object.visual, object.layout, snapshot.q, points);
+    surfacePositions(object.visual, object.layout, shownState(), points);
     for (const Vec3& p : points) box.extend(p);
   }
   return box;
@@ -212,11 +231,21 @@ void SceneView::home() {
 
 // ---- Mouse
 
+namespace {
+
+Pointer pointerOf(const QMouseEvent& event) {
+  const QPointF at = event.position();
+  return {Vec2(at.x() + 0.5, at.y() + 0.5), (event.modifiers() & Qt::ShiftModifier) != 0,
+          (event.modifiers() & Qt::ControlModifier) != 0, (event.modifiers() & Qt::AltModifier) != 0};
+}
+
+}  // namespace
+
 std::optional<PickHit> SceneView::pickAt(const QPointF& logical) {
   if (!m_renderer || !m_model || m_link.snapshot().model != m_model) return std::nullopt;
   makeCurrent();
   const QPointF at = device(logical);
-  const auto hit = m_renderer->pick(m_view, m_link.snapshot().q, layers(), target(), at.x(), at.y());
+  const auto hit = m_renderer->pick(m_view, shownState(), layers(), target(), at.x(), at.y());
   doneCurrent();
   return hit;
 }
@@ -248,7 +277,13 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   const QPointF at = event->position();
   m_pressed = m_last = at;
   const bool alt = event->modifiers() & Qt::AltModifier, shift = event->modifiers() & Qt::ShiftModifier;
-  if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && alt)) {
+  if (isAuthoring() && event->button() == Qt::LeftButton) {
+    m_gesture = Gesture::Author;
+    m_authoring->press(viewport(), pointerOf(*event));
+    return;
+  }
+  const bool middle = event->button() == Qt::MiddleButton || (isAuthoring() && event->button() == Qt::RightButton);
+  if (middle || (event->button() == Qt::LeftButton && alt)) {
     m_gesture = shift ? Gesture::Pan : Gesture::Orbit;
     setCursor(shift ? Qt::SizeAllCursor : Qt::CrossCursor);
   } else if (event->button() == Qt::LeftButton) {
@@ -273,8 +308,13 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
     case Gesture::Tool:
       m_link.holdTool(m_draggedTool, m_toolDrag->moved(at.x(), at.y()));
       break;
+    case Gesture::Author: m_authoring->move(viewport(), pointerOf(*event)); break;
     case Gesture::Pick: break;
     case Gesture::None:
+      if (isAuthoring()) {
+        m_authoring->move(viewport(), pointerOf(*event));
+        break;
+      }
       // Picking draws once more, so not for every pixel the mouse passes.
       if (!m_hoverClock.isValid() || m_hoverClock.elapsed() > (m_software ? 120 : 30)) {
         m_hoverClock.restart();
@@ -286,6 +326,12 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  if (m_gesture == Gesture::Author) {
+    if (event->button() != Qt::LeftButton) return;
+    m_authoring->release(viewport(), pointerOf(*event));
+    m_gesture = Gesture::None;
+    return;
+  }
   const QPointF moved = event->position() - m_pressed;
   const bool click = std::hypot(moved.x(), moved.y()) < 4;
   if (click && event->button() == Qt::LeftButton && (m_gesture == Gesture::Pick || m_gesture == Gesture::Tool)) {
@@ -298,10 +344,11 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::endGesture() {
   if (m_gesture == Gesture::Tool) m_link.releaseTool(m_draggedTool);
+  if (m_gesture == Gesture::Author && m_authoring) m_authoring->cancel();
   m_gesture = Gesture::None;
   m_toolDrag.reset();
   m_draggedTool = -1;
-  unsetCursor();
+  isAuthoring() ? setCursor(Qt::CrossCursor) : unsetCursor();
 }
 
 void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
@@ -319,7 +366,7 @@ void SceneView::select(const QPointF& at, Qt::KeyboardModifiers modifiers) {
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && !m_selection.current().empty() && m_chosenTool < 0) {
+  if (event->button() == Qt::LeftButton && !isAuthoring() && !m_selection.current().empty() && m_chosenTool < 0) {
     frameSelection();
   } else {
     mousePressEvent(event);
@@ -346,7 +393,29 @@ void SceneView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void SceneView::leaveEvent(QEvent*) { m_selection.hover({}); }
+void SceneView::leaveEvent(QEvent*) {
+  m_selection.hover({});
+  if (isAuthoring()) m_authoring->leave();
+}
+
+bool SceneView::event(QEvent* event) {
+  // Escape belongs to the author's tool before it clears the selection of parts.
+  if (event->type() == QEvent::ShortcutOverride && isAuthoring() &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QOpenGLWidget::event(event);
+}
+
+void SceneView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape || !isAuthoring()) return QOpenGLWidget::keyPressEvent(event);
+  if (m_authoring->busy()) {
+    m_authoring->cancel();
+  } else {
+    m_authoring->setTool(Authoring::Tool::None);
+  }
+}
 
 void SceneView::focusOutEvent(QFocusEvent* event) {
   // A dialog that comes up in the middle of a drag must not leave a tool held for ever.

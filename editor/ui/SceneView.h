@@ -10,6 +10,7 @@
 #include "editor/core/DisplayState.h"
 #include "editor/core/PlayLink.h"
 #include "editor/core/ToolDrag.h"
+#include "editor/core/tools/Authoring.h"
 #include "editor/render/SceneRenderer.h"
 
 class QOpenGLFramebufferObject;
@@ -18,7 +19,8 @@ namespace glenoid {
 
 /// The 3D view: hosts the renderer, steers the camera, picks parts and drags tools. Draws only when something
 /// has changed. Left picks or drags a tool, middle orbits, Shift+middle pans, the wheel zooms at the cursor,
-/// Alt+left orbits and Alt+Shift+left pans on a touchpad; Ctrl+wheel moves the chosen tool in depth.
+/// Alt+left orbits and Alt+Shift+left pans on a touchpad; Ctrl+wheel moves the chosen tool in depth. While one of the
+/// author's tools is active the left button is that tool's, and the right one orbits and pans as the middle one does.
 /// Only where probeGraphics() says usable. GUI thread only.
 class SceneView : public QOpenGLWidget {
   Q_OBJECT
@@ -38,6 +40,9 @@ class SceneView : public QOpenGLWidget {
   void setChosenTool(int tool);
   int chosenTool() const { return m_chosenTool; }
   bool isDraggingTool() const { return m_toolDrag.has_value(); }
+
+  /// Whose the left button is while a tool of it is active; it must outlive the view or be taken back with null.
+  void setAuthoring(Authoring* authoring);
 
   /// Frames drawn in the last second.
   double framesPerSecond() const;
@@ -60,11 +65,13 @@ class SceneView : public QOpenGLWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
-  enum class Gesture { None, Orbit, Pan, Tool, Pick };
+  enum class Gesture { None, Orbit, Pan, Tool, Pick, Author };
   void requestDraw();
   void drawCoarse(const View& view, const Snapshot& snapshot);
   void takeModel();
@@ -72,10 +79,13 @@ class SceneView : public QOpenGLWidget {
   Look look() const;
   Layers layers() const;
   Target target() const;
+  const VecX& shownState();
+  Viewport viewport() const { return {m_view, width(), height()}; }
+  bool isAuthoring() const { return m_authoring && m_authoring->active(); }
   QPointF device(const QPointF& logical) const { return logical * devicePixelRatioF(); }
   std::optional<PickHit> pickAt(const QPointF& logical);
   std::string idOf(int object) const;
-  Box3 boundsOf(const std::set<std::string>& ids) const;
+  Box3 boundsOf(const std::set<std::string>& ids);
   void beginToolDrag(int tool, const QPointF& at);
   void endGesture();
   void select(const QPointF& at, Qt::KeyboardModifiers modifiers);
@@ -84,6 +94,7 @@ class SceneView : public QOpenGLWidget {
   PlayLink& m_link;
   DisplayState& m_display;
   Selection& m_selection;
+  Authoring* m_authoring = nullptr;
   bool m_software;
   std::unique_ptr<SceneRenderer> m_renderer;
   std::shared_ptr<const Model> m_model;  ///< what the renderer holds

@@ -72,7 +72,9 @@ Result<Cage> makeCage(const Part& part, int handles) {
     const MeshHealth health = healthOf(fine);
     if (!health.closed() || !health.manifold()) continue;
     // V − E + F = 2 − 2 genus and 2 E = 3 F: this many triangles have about that many vertices.
-    auto coarse = simplify(fine, 2 * (handles - 2 + 2 * health.genus), {.keepVolume = false});
+    SimplifyOptions options;
+    options.keepVolume = false;
+    auto coarse = simplify(fine, 2 * (handles - 2 + 2 * health.genus), options);
     if (!coarse) continue;
     holdAll(*coarse, part.volume->nodes, 0.3 * offset);
     if (!healthOf(*coarse).healthy() || countSelfIntersections(*coarse) > 0 || !holdsAll(*coarse, part.volume->nodes)) continue;

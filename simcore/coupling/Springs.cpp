@@ -4,18 +4,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "simcore/coupling/RegionAnchors.h"
 #include "simcore/embed/Bind.h"
 
 namespace glenoid {
 
 namespace {
 
-/// A spring's end on part A before it is bound to B.
-struct Anchor {
-  Vec3 rest_W;
-  VertexBinding binding;
-  double share;  ///< area, m²
-};
+using Anchor = RegionAnchor;
 
 /// Area share of each vertex of a region, as (vertex, m²), ascending by vertex.
 std::vector<std::pair<int, double>> vertexShares(const TriMesh& mesh, const Region& region) {
@@ -75,8 +71,17 @@ std::vector<Anchor> rigidAnchors(const Vec3& centre, const TriMesh& mesh, const 
   return anchors;
 }
 
-/// Four or more points that span more than a line can hold a body against turning.
-bool canHold(const std::vector<Anchor>& anchors) {
+}  // namespace
+
+std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region) {
+  const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *part.part->visual : *part.part->collision;
+  const auto shares = vertexShares(mesh, region);
+  if (shares.empty()) return {};
+  return part.part->kind == PartKind::Soft ? softAnchors(*part.part->volume, mesh, shares)
+                                           : rigidAnchors(part.centre, mesh, shares);
+}
+
+bool canHold(const std::vector<RegionAnchor>& anchors) {
   if (anchors.size() < 4) return false;
   Vec3 mean = Vec3::Zero();
   for (const Anchor& anchor : anchors) mean += anchor.rest_W / static_cast<double>(anchors.size());
@@ -85,8 +90,6 @@ bool canHold(const std::vector<Anchor>& anchors) {
   const Vec3 spread = Eigen::SelfAdjointEigenSolver<Mat3>(scatter).eigenvalues();
   return spread(1) > 1e-4 * spread(2);
 }
-
-}  // namespace
 
 Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int couplingIndex,
                                                   const std::vector<CoupledPart>& parts) {
@@ -102,11 +105,7 @@ Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int coupli
   const Region* region = findRegion(partA, coupling.regionA);
   if (!region) return fault(Fault::UnknownId, {coupling.regionA, "region"});
 
-  const TriMesh& mesh = region->surface == SurfaceKind::Visual ? *partA.visual : *partA.collision;
-  const auto shares = vertexShares(mesh, *region);
-  if (shares.empty()) return fault(Fault::TooFewSprings, {"0", "4"});
-  const std::vector<Anchor> anchors = partA.kind == PartKind::Soft ? softAnchors(*partA.volume, mesh, shares)
-                                                                   : rigidAnchors(parts[a].centre, mesh, shares);
+  const std::vector<RegionAnchor> anchors = regionAnchors({&partA, parts[a].centre}, *region);
   if (!canHold(anchors)) return fault(Fault::TooFewSprings, {std::to_string(anchors.size()), "4"});
 
   std::vector<Vec3> ends;

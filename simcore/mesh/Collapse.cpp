@@ -68,7 +68,7 @@ Quadric& Quadric::operator+=(const Quadric& o) {
   return *this;
 }
 
-Collapser::Collapser(const TriMesh& mesh)
+Collapser::Collapser(const TriMesh& mesh, const std::vector<double>& importance)
     : m_triangles(mesh.triangles), m_alive(static_cast<int>(mesh.triangles.size())) {
   const Box3 box = boundsOf(mesh);
   m_centre = box.center();
@@ -77,6 +77,8 @@ Collapser::Collapser(const TriMesh& mesh)
   m_dead.assign(m_triangles.size(), 0);
   m_fans.resize(m_points.size());
   m_stamps.assign(m_points.size(), 0);
+  m_importance = importance;
+  m_importance.resize(m_points.size(), 1);
   m_planes.resize(m_points.size());
   m_spread.resize(m_points.size());
   for (int t = 0; t < m_alive; ++t) {
@@ -159,7 +161,7 @@ Collapser::Candidate Collapser::candidate(int u, int v, int rank) const {
   std::stable_sort(places.begin(), places.begin() + count,
                    [](const PlaceForVertex& x, const PlaceForVertex& y) { return x.cost < y.cost; });
   const PlaceForVertex& place = places[std::min(rank, count - 1)];
-  return {std::max(cost(place.at), 0.0), u, v, m_stamps[u], m_stamps[v], rank, place.at,
+  return {std::max(cost(place.at), 0.0) * std::max(m_importance[u], m_importance[v]), u, v, m_stamps[u], m_stamps[v], rank, place.at,
           g.dot(place.at - middle) - now};
 }
 
@@ -279,6 +281,7 @@ void Collapser::collapse(const Candidate& c) {
   m_points[u] = c.at;
   m_planes[u] += m_planes[v];
   m_spread[u] += m_spread[v];
+  m_importance[u] = std::max(m_importance[u], m_importance[v]);
   m_gained += c.gain;
   ++m_stamps[u], ++m_stamps[v];
   for (const int w : neighbours(u)) push(u, w);

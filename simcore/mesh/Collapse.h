@@ -33,7 +33,8 @@ struct CollapseRules {
 /// Source of that constraint: Lindstrom and Turk, "Fast and Memory Efficient Polygonal Simplification", 1998.
 class Collapser {
  public:
-  explicit Collapser(const TriMesh& mesh);
+  /// `importance`: factor of the cost of moving each vertex, or empty.
+  explicit Collapser(const TriMesh& mesh, const std::vector<double>& importance = {});
   int triangles() const { return m_alive; }
   /// Collapses until at most `target` + 1 triangles are left or no edge is allowed under these rules.
   void run(int target, const CollapseRules& rules);
@@ -71,6 +72,7 @@ class Collapser {
   std::vector<std::array<int, 3>> m_triangles;
   std::vector<char> m_dead;                 ///< triangles
   std::vector<std::vector<int>> m_fans;     ///< live triangles of each vertex, ascending
+  std::vector<double> m_importance;         ///< of each vertex; of a merged one the greater
   std::vector<int> m_stamps;                ///< raised when a vertex moves, so that older candidates lapse
   std::vector<Quadric> m_planes, m_spread;  ///< the surface that a vertex stands for: its planes, its points
   std::vector<int> m_liveList;              ///< triangles, some dead; swept when half are

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/Collapse.h"
@@ -12,6 +13,22 @@
 
 namespace glenoid {
 namespace {
+
+/// Importance of the vertices of a surface whose vertices are some of the first one's: by place.
+std::vector<double> importanceOf(const TriMesh& some, const TriMesh& all, const std::vector<double>& importance) {
+  if (importance.empty()) return {};
+  const auto less = [](const Vec3& a, const Vec3& b) {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::map<Vec3, double, decltype(less)> at(less);
+  for (std::size_t v = 0; v < all.vertices.size(); ++v) {
+    double& value = at.try_emplace(all.vertices[v], importance[v]).first->second;
+    value = std::max(value, importance[v]);
+  }
+  std::vector<double> out;
+  for (const Vec3& p : some.vertices) out.push_back(at.at(p));
+  return out;
+}
 
 }  // namespace
 
@@ -85,13 +102,22 @@ Result<TriMesh> simplify(const TriMesh& mesh, int targetTriangles, const Simplif
     return Error{
         Fault::OutOfRange, {}, {std::to_string(targetTriangles), "4", "inf"}, "triangles to simplify to"};
   if (const auto closed = requireClosed(mesh); !closed) return closed.error();
+  if (!options.importance.empty() && options.importance.size() != mesh.vertices.size())
+    return Error{Fault::BadIndex,
+                 {},
+                 {std::to_string(options.importance.size()), std::to_string(mesh.vertices.size())},
+                 "importance of vertices"};
+  for (const double each : options.importance)
+    if (!(each > 0) || !std::isfinite(each))
+      return Error{Fault::OutOfRange, {}, {std::to_string(each), "0", "inf"}, "importance of a vertex"};
   if (static_cast<int>(mesh.triangles.size()) <= targetTriangles) return mesh;
 
   // Collapsing edges one by one is slow, so the larger the surface the more of it goes the quick way.
   const bool huge = static_cast<int>(mesh.triangles.size()) > 5 * options.largeMesh;
   const int first = std::max(options.largeMesh / (huge ? 4 : 2), (huge ? 4 : 2) * targetTriangles);
   const bool large = static_cast<int>(mesh.triangles.size()) > std::max(options.largeMesh, 2 * first);
-  Collapser collapser(large ? reduceLarge(mesh, first) : compact(mesh));
+  const TriMesh begun = large ? reduceLarge(mesh, first) : compact(mesh);
+  Collapser collapser(begun, importanceOf(begun, mesh, options.importance));
   // Shape first; then the count. A cut through itself only when nothing else reaches it, as with a surface
   // that cuts itself to begin with.
   const CollapseRules strict, loose{0.0, 0.05, -0.9, 0.1, false}, last{-0.2, 0.01, -0.99, 0.2, false},

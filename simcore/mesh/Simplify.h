@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <vector>
+
 #include "simcore/base/Error.h"
 #include "simcore/mesh/TriMesh.h"
 
@@ -11,6 +13,9 @@ struct SimplifyOptions {
   /// Above this many triangles meshoptimizer reduces first, as far as its answer stays a closed manifold;
   /// it picks among existing vertices, too coarse a choice for a last surface of some hundred triangles.
   int largeMesh = 40000;
+  /// How much the squared error counts at each vertex of the input, > 0; empty: one everywhere. More of the triangles
+  /// go where it is high. The first reduction of a large mesh does not see it.
+  std::vector<double> importance;
 };
 
 /// Quick reduction of a large surface to roughly `targetTriangles`, by picking among its vertices (meshoptimizer). It
@@ -24,7 +29,8 @@ TriMesh roughlySimplified(const TriMesh& mesh, int targetTriangles);
 /// first, then the one on cutting (as a surface asks for that cuts itself to begin with), the topology never:
 /// the answer is closed and manifold of the same genus, and has more triangles than asked for when that needs
 /// them. A mesh that has no more triangles than asked for comes back as it is. Deterministic. Fails as
-/// requireClosed does; with OutOfRange when targetTriangles < 4. Source: Garland and Heckbert, "Surface
+/// requireClosed does; with OutOfRange when targetTriangles < 4 or an importance is not
+/// positive, and with BadIndex when there are not as many as vertices. Source: Garland and Heckbert, "Surface
 /// Simplification Using Quadric Error Metrics", SIGGRAPH 1997; link condition: Dey, Edelsbrunner, Guha,
 /// Nekhayev, "Topology Preserving Edge Contraction", 1999.
 Result<TriMesh> simplify(const TriMesh& mesh, int targetTriangles, const SimplifyOptions& options = {});

@@ -25,7 +25,7 @@ class Diagnosing {
     m_out.triangles = static_cast<int>(m_mesh.triangles.size());
     const MeshHealth health = healthOf(m_mesh);
     if (health.badIndices > 0 || health.notFinite > 0 || health.triangles == 0) {
-      add(FindingKind::CannotBeRead, Severity::Blocks, std::max(1, health.badIndices + health.notFinite));
+      add(FindingKind::CannotBeRead, FindingSeverity::Blocks, std::max(1, health.badIndices + health.notFinite));
       return std::move(m_out);
     }
     m_out.box = boundsOf(m_mesh);
@@ -52,7 +52,7 @@ class Diagnosing {
     return !m_out.cancelled;
   }
 
-  Finding& add(FindingKind kind, Severity severity, long count) {
+  Finding& add(FindingKind kind, FindingSeverity severity, long count) {
     m_out.findings.push_back({kind, severity, count, 0, {}, {}, false});
     return m_out.findings.back();
   }
@@ -77,7 +77,7 @@ class Diagnosing {
     Box3 one = m_out.box;
     if (const auto sides = findMirrorSides(m_mesh, m_shells)) {
       m_out.side = {BodySide::Both, "mirrored-pieces"};
-      Finding& finding = add(FindingKind::TwoSides, Severity::Warning, 2);
+      Finding& finding = add(FindingKind::TwoSides, FindingSeverity::Warning, 2);
       // Neither half can be said to be left or right; the lower one is offered first.
       finding.repairs = {{RepairKind::KeepSide, 0, sides->axis, false}};
       std::vector<int> upper;
@@ -96,15 +96,15 @@ class Diagnosing {
       const double metres = *m_options.metresPerUnit, size = one.sizes().maxCoeff() * metres;
       m_out.unit = {metres, 1, "file"};
       // From a small ligament to a whole arm.
-      if (size < 0.003 || size > 2) add(FindingKind::Unit, Severity::Warning, 1).measure = guess.metres;
+      if (size < 0.003 || size > 2) add(FindingKind::Unit, FindingSeverity::Warning, 1).measure = guess.metres;
     } else {
-      add(FindingKind::Unit, guess.confidence < 0.6 ? Severity::Warning : Severity::Note, 1).measure = guess.metres;
+      add(FindingKind::Unit, guess.confidence < 0.6 ? FindingSeverity::Warning : FindingSeverity::Note, 1).measure = guess.metres;
     }
   }
 
   void vertices(const MeshHealth& health) {
     if (health.unusedVertices > 0) {
-      Finding& finding = add(FindingKind::UnusedVertices, Severity::Note, health.unusedVertices);
+      Finding& finding = add(FindingKind::UnusedVertices, FindingSeverity::Note, health.unusedVertices);
       finding.repairs = {{RepairKind::DropDegenerate}};
       finding.harmless = true;
     }
@@ -120,7 +120,7 @@ class Diagnosing {
     for (int t = 0; t < m_out.triangles; ++t)
       for (const int v : m_mesh.triangles[t])
         if (twin[v]) where.push_back(t);
-    Finding& finding = add(FindingKind::DuplicateVertices, health.openEdges > 0 ? Severity::Warning : Severity::Note, count);
+    Finding& finding = add(FindingKind::DuplicateVertices, health.openEdges > 0 ? FindingSeverity::Warning : FindingSeverity::Note, count);
     finding.repairs = {{RepairKind::Weld, tolerance}};
     finding.harmless = health.openEdges > 0;  // of a closed surface the twins were meant
     mark(finding, std::move(where));
@@ -128,7 +128,7 @@ class Diagnosing {
 
   void faces(const MeshHealth& health) {
     if (health.degenerateTriangles > 0) {
-      Finding& finding = add(FindingKind::DegenerateFaces, Severity::Warning, health.degenerateTriangles);
+      Finding& finding = add(FindingKind::DegenerateFaces, FindingSeverity::Warning, health.degenerateTriangles);
       finding.repairs = {{RepairKind::DropDegenerate}};
       finding.harmless = true;
       std::vector<int> where;
@@ -138,7 +138,7 @@ class Diagnosing {
     }
     std::vector<int> twins = duplicateFaces(m_mesh);
     if (!twins.empty()) {
-      Finding& finding = add(FindingKind::DuplicateFaces, Severity::Warning, static_cast<long>(twins.size()));
+      Finding& finding = add(FindingKind::DuplicateFaces, FindingSeverity::Warning, static_cast<long>(twins.size()));
       finding.repairs = {{RepairKind::DropDuplicates}};
       finding.harmless = true;
       mark(finding, std::move(twins));
@@ -155,18 +155,18 @@ class Diagnosing {
       }
     });
     if (health.nonManifoldEdges > 0) {
-      Finding& finding = add(FindingKind::NonManifoldEdges, Severity::Blocks, health.nonManifoldEdges);
+      Finding& finding = add(FindingKind::NonManifoldEdges, FindingSeverity::Blocks, health.nonManifoldEdges);
       finding.repairs = {{RepairKind::Orient}, {RepairKind::SplitNonManifold}, {RepairKind::DropSheets, 0.02}, {RepairKind::DropSmall, 0.01}, {RepairKind::FillHoles}};
       finding.harmless = true;
       mark(finding, std::move(crowded));
     }
     if (health.nonManifoldVertices > 0) {
-      Finding& finding = add(FindingKind::NonManifoldVertices, Severity::Blocks, health.nonManifoldVertices);
+      Finding& finding = add(FindingKind::NonManifoldVertices, FindingSeverity::Blocks, health.nonManifoldVertices);
       finding.repairs = {{RepairKind::SplitNonManifold}};
       finding.harmless = true;
     }
     if (health.misorientedEdges > 0) {
-      Finding& finding = add(FindingKind::MisorientedEdges, Severity::Blocks, health.misorientedEdges);
+      Finding& finding = add(FindingKind::MisorientedEdges, FindingSeverity::Blocks, health.misorientedEdges);
       finding.repairs = {{RepairKind::Orient}, {RepairKind::Outwards}};
       finding.harmless = true;
       mark(finding, std::move(contrary));
@@ -179,7 +179,7 @@ class Diagnosing {
       m_out.longestHole = std::max(m_out.longestHole, lengthOf(m_mesh, loop));
     }
     if (open.empty()) return;
-    Finding& finding = add(FindingKind::Holes, Severity::Blocks, std::max(1l, m_out.holes));
+    Finding& finding = add(FindingKind::Holes, FindingSeverity::Blocks, std::max(1l, m_out.holes));
     m_out.holes = finding.count;
     finding.measure = m_out.longestHole;
     finding.repairs = {{RepairKind::FillHoles}};
@@ -222,22 +222,22 @@ class Diagnosing {
       if (kind & 4) sheets.push_back(t);
     }
     if (list.size() > 1) {
-      Finding& finding = add(FindingKind::Pieces, Severity::Note, m_out.shells);
+      Finding& finding = add(FindingKind::Pieces, FindingSeverity::Note, m_out.shells);
       finding.repairs = {smallCount > 0 ? RepairStep{RepairKind::DropSmall, 0.01} : RepairStep{RepairKind::KeepLargest}};
       mark(finding, std::move(small));
     }
     if (insideOutCount > 0) {
-      Finding& finding = add(FindingKind::InsideOut, Severity::Blocks, insideOutCount);
+      Finding& finding = add(FindingKind::InsideOut, FindingSeverity::Blocks, insideOutCount);
       finding.repairs = {{RepairKind::Outwards}};
       finding.harmless = true;
       mark(finding, std::move(insideOut));
     }
     if (sheetCount > 0) {
-      Finding& finding = add(FindingKind::Sheets, Severity::Blocks, sheetCount);
+      Finding& finding = add(FindingKind::Sheets, FindingSeverity::Blocks, sheetCount);
       finding.repairs = {{RepairKind::Orient}, {RepairKind::Thicken, m_options.thinLimit / metres()}};
       mark(finding, std::move(sheets));
     }
-    if (m_out.genus > 0) add(FindingKind::Handles, Severity::Note, m_out.genus);
+    if (m_out.genus > 0) add(FindingKind::Handles, FindingSeverity::Note, m_out.genus);
   }
 
   double metres() const { return m_out.unit.metres > 0 ? m_out.unit.metres : 1e-3; }
@@ -248,7 +248,7 @@ class Diagnosing {
     m_out.thicknessLeast = report.least;
     m_out.thicknessMedian = report.median;
     if (report.thinShare < 0.05) return;
-    Finding& finding = add(FindingKind::Thin, report.thinShare > 0.5 ? Severity::Warning : Severity::Note, static_cast<long>(report.thin.size()));
+    Finding& finding = add(FindingKind::Thin, report.thinShare > 0.5 ? FindingSeverity::Warning : FindingSeverity::Note, static_cast<long>(report.thin.size()));
     finding.measure = report.median;
     finding.repairs = {{RepairKind::Thicken, limit}};
     mark(finding, std::move(report.thin));
@@ -262,7 +262,7 @@ class Diagnosing {
     const auto pairs = selfCuts(m_mesh);
     m_out.selfIntersections = static_cast<long>(pairs.size());
     if (pairs.empty()) return;
-    Finding& finding = add(FindingKind::SelfIntersections, Severity::Warning, m_out.selfIntersections);
+    Finding& finding = add(FindingKind::SelfIntersections, FindingSeverity::Warning, m_out.selfIntersections);
     finding.repairs = {{RepairKind::RemoveSelfIntersections}};
     std::vector<int> where;
     for (const auto& pair : pairs) where.insert(where.end(), pair.begin(), pair.end());
@@ -286,7 +286,7 @@ const Finding* SurfaceDiagnosis::find(FindingKind kind) const {
 }
 
 bool SurfaceDiagnosis::healthy() const {
-  return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::Blocks; });
+  return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severity == FindingSeverity::Blocks; });
 }
 
 SurfaceDiagnosis diagnose(const TriMesh& mesh, const DiagnosisOptions& options) { return Diagnosing(mesh, options).run(); }
@@ -340,8 +340,8 @@ const char* findingName(FindingKind kind) {
   return "";
 }
 
-const char* severityName(Severity severity) {
-  return severity == Severity::Note ? "note" : severity == Severity::Warning ? "warning" : "blocks";
+const char* findingSeverityName(FindingSeverity severity) {
+  return severity == FindingSeverity::Note ? "note" : severity == FindingSeverity::Warning ? "warning" : "blocks";
 }
 
 const char* sideName(BodySide side) {

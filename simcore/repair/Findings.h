@@ -34,12 +34,12 @@ inline constexpr int kFindingKindCount = static_cast<int>(FindingKind::CannotBeR
 const char* findingName(FindingKind kind);
 
 /// Note: good to know. Warning: worth a repair. Blocks: the surface encloses nothing that could be simulated.
-enum class Severity { Note, Warning, Blocks };
-const char* severityName(Severity severity);
+enum class FindingSeverity { Note, Warning, Blocks };
+const char* findingSeverityName(FindingSeverity severity);
 
 struct Finding {
   FindingKind kind;
-  Severity severity = Severity::Note;
+  FindingSeverity severity = FindingSeverity::Note;
   long count = 0;
   double measure = 0;                 ///< in the surface's unit: longest hole, thinnest wall; else 0
   std::vector<int> triangles;         ///< where, ascending; at most kMostMarked

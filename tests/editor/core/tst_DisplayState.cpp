@@ -37,6 +37,23 @@ TEST(DisplayState, everyLayerCanBeSwitchedAndSaysSoOnce) {
   }
 }
 
+TEST(DisplayState, islandsHaveTheirColours) {
+  Model model = threeObjects();
+  model.couplingIslandOfObject = {0, -1, 1};
+  DisplayState display;
+  Selection selection;
+  EXPECT_FALSE(display.layersFor(model, selection).objects[0].color);
+  display.show(DisplayState::Layer::Islands, true);
+  const auto objects = display.layersFor(model, selection).objects;
+  ASSERT_TRUE(objects[0].color && objects[2].color);
+  EXPECT_FALSE(objects[1].color) << "fixed: its own colour";
+  for (int a = 0; a < 12; ++a)
+    for (int b = 0; b < a; ++b) {
+      const auto p = DisplayState::islandColor(a), q = DisplayState::islandColor(b);
+      EXPECT_GT(std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) + std::abs(p[2] - q[2]), 0.08f) << a << " and " << b;
+    }
+}
+
 TEST(DisplayState, looksGoToTheRendererByObject) {
   DisplayState display;
   Selection selection;

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "editor/core/FrozenScene.h"
+#include "editor/core/AuthorEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/SameScene.h"
 #include "simcore/file/AtomicWrite.h"
@@ -132,10 +133,10 @@ class Editor {
         }
         break;
       case 14:
-        if (const Part* chosen = soft()) putPartCage(m_document, boxCage(*chosen, number(1e-3, 5e-3)));
+        if (const Part* chosen = soft()) setCage(m_document, boxCage(*chosen, number(1e-3, 5e-3)), QStringLiteral("cage"));
         break;
       case 15:
-        if (!joint().cages.empty()) removePartCage(m_document, joint().cages[draw(static_cast<int>(joint().cages.size()))].part);
+        if (!joint().cages.empty()) removeCage(m_document, joint().cages[draw(static_cast<int>(joint().cages.size()))].part);
         break;
       case 16:
         if (!joint().cages.empty()) {  // a drag: many moves, one step

@@ -150,7 +150,7 @@ TEST(Diagnose, thinWallsAreMeasured) {
   millimetres.metresPerUnit = 1e-3;
   const SurfaceDiagnosis thin = diagnose(shapes::sheet(60, 20, 0.5, 0.8), millimetres);
   ASSERT_TRUE(thin.find(FindingKind::Thin));
-  EXPECT_EQ(thin.find(FindingKind::Thin)->severity, Severity::Warning);
+  EXPECT_EQ(thin.find(FindingKind::Thin)->severity, FindingSeverity::Warning);
   // Elliptic across: half of its width is thinner than 0.5 √(1 − ¼), and its rounded ends are thinner still.
   EXPECT_NEAR(thin.thicknessMedian, 0.42, 0.03);
   EXPECT_EQ(thin.find(FindingKind::Thin)->repairs, (std::vector<RepairStep>{{RepairKind::Thicken, 1}}));
@@ -191,7 +191,7 @@ TEST(Diagnose, theUnitIsGuessedFromSizePlaceAndName) {
   wrong.metresPerUnit = 1;
   const SurfaceDiagnosis d = diagnose(sphere(70), wrong);  // 140 m
   ASSERT_TRUE(d.find(FindingKind::Unit));
-  EXPECT_EQ(d.find(FindingKind::Unit)->severity, Severity::Warning);
+  EXPECT_EQ(d.find(FindingKind::Unit)->severity, FindingSeverity::Warning);
   EXPECT_EQ(d.find(FindingKind::Unit)->measure, 1e-3);
 }
 

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/ui/CagePanel.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScopedValueRollback>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "editor/core/AnatomyNames.h"
+#include "editor/core/AuthorEdits.h"
+#include "editor/core/Sentences.h"
+#include "editor/ui/Numbers.h"
+#include "simcore/author/MakeCage.h"
+#include "simcore/author/SeparateStart.h"
+#include "simcore/scene/JointFile.h"
+
+namespace glenoid {
+namespace {
+
+QString nameOf(const Joint& joint, int part) { return anatomyName(joint.parts[part].name); }
+
+QDoubleSpinBox* millimetres(const QString& name, double low, double high, int decimals) {
+  auto* box = new QDoubleSpinBox;
+  box->setObjectName(name);
+  box->setDecimals(decimals);
+  box->setRange(low, high);
+  box->setSingleStep(0.1);
+  box->setMinimumWidth(70);
+  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  box->setKeyboardTracking(false);
+  box->setFocusPolicy(Qt::StrongFocus);
+  return box;
+}
+
+}  // namespace
+
+CagePanel::CagePanel(Document& document, Selection& selection, Authoring& authoring, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_selection(selection), m_authoring(authoring) {
+  setObjectName(QStringLiteral("cages"));
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMinimumWidth(310);
+  m_workers.setMaxThreadCount(1);
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->addWidget(makeCageBox());
+  layout->addWidget(makeOverlapBox());
+  layout->addStretch(1);
+  setWidget(content);
+
+  m_later.setSingleShot(true);
+  m_later.setInterval(60);
+  connect(&m_later, &QTimer::timeout, this, &CagePanel::askOverlaps);
+  const auto soon = [this] {
+    if (isVisible() && !m_later.isActive()) m_later.start();
+  };
+  connect(&document, &Document::changed, this, [this, soon](const ChangeSet& changes) {
+    refreshProof();
+    if (!changes.everything && changes.parts.empty()) return refresh();
+    m_overlapsKnown = false;
+    refresh();
+    soon();
+  });
+  connect(&authoring, &Authoring::cageChanged, this, [this, soon] {
+    refresh();
+    if (m_authoring.cage().isDragging()) soon();
+  });
+  connect(&authoring, &Authoring::targetChanged, this, &CagePanel::refresh);
+  connect(&selection, &Selection::changed, this, [this] {
+    if (m_authoring.tool() == Authoring::Tool::Cage && findPart(m_document.joint(), m_selection.current()) >= 0)
+      m_authoring.setTarget(m_selection.current(), m_authoring.surface());
+  });
+  retranslate();
+}
+
+CagePanel::~CagePanel() {
+  if (m_cancel) *m_cancel = true;
+  m_workers.waitForDone();
+}
+
+// ---- Widgets
+
+QWidget* CagePanel::makeCageBox() {
+  auto* box = new QGroupBox;
+  m_groups.push_back(box);
+  auto* form = new QFormLayout(box);
+  const auto button = [this](const char* name, void (CagePanel::*pressed)()) {
+    auto* made = new QPushButton;
+    made->setObjectName(QLatin1String(name));
+    connect(made, &QPushButton::clicked, this, pressed);
+    return made;
+  };
+  const auto row = [&](QWidget* widget, QLayout* layout = nullptr) {
+    auto* label = new QLabel;
+    label->setBuddy(widget);
+    m_labels.push_back(label);
+    layout ? form->addRow(label, layout) : form->addRow(label, widget);
+  };
+  m_part = new QLabel;
+  m_part->setWordWrap(true);
+  row(m_part);
+  m_handles = new QSpinBox;
+  m_handles->setObjectName(QStringLiteral("cages.handles"));
+  m_handles->setRange(8, 2000);
+  m_handles->setValue(60);
+  m_handles->setFocusPolicy(Qt::StrongFocus);
+  row(m_handles);
+  m_make = button("cages.make", &CagePanel::makeTheCage);
+  m_reset = button("cages.reset", &CagePanel::resetCage);
+  m_remove = new QPushButton;
+  m_remove->setObjectName(QStringLiteral("cages.remove"));
+  connect(m_remove, &QPushButton::clicked, this, [this] { removeCage(m_document, m_authoring.part()); });
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* each : {m_make, m_reset, m_remove}) buttons->addWidget(each);
+  form->addRow(buttons);
+  m_picked = new QLabel;
+  m_picked->setObjectName(QStringLiteral("cages.picked"));
+  m_picked->setWordWrap(true);
+  m_picked->setProperty("role", QStringLiteral("hint"));
+  form->addRow(m_picked);
+  for (int axis = 0; axis < 3; ++axis) {
+    m_shift[axis] = millimetres(QStringLiteral("cages.shift.%1").arg(axis), -500, 500, 2);
+    row(m_shift[axis]);
+    connect(m_shift[axis], &QDoubleSpinBox::valueChanged, this, [this] {
+      if (!m_showing)
+        m_authoring.setMeanShift(1e-3 * Vec3(m_shift[0]->value(), m_shift[1]->value(), m_shift[2]->value()));
+    });
+    connect(m_shift[axis], &QDoubleSpinBox::editingFinished, this, [this] { m_document.endGesture(); });
+  }
+  return box;
+}
+
+QWidget* CagePanel::makeOverlapBox() {
+  auto* box = new QGroupBox;
+  m_groups.push_back(box);
+  auto* layout = new QVBoxLayout(box);
+  const auto label = [&](const char* name) {
+    auto* made = new QLabel;
+    made->setObjectName(QLatin1String(name));
+    made->setWordWrap(true);
+    return made;
+  };
+  m_summary = label("cages.summary");
+  layout->addWidget(m_summary);
+  m_list = new QTreeWidget;
+  m_list->setObjectName(QStringLiteral("cages.overlaps"));
+  m_list->setRootIsDecorated(false);
+  m_list->setColumnCount(3);
+  m_list->setUniformRowHeights(true);
+  m_list->setMinimumHeight(120);
+  layout->addWidget(m_list);
+  connect(m_list, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+    if (m_showing || !item) return;
+    const int index = m_list->indexOfTopLevelItem(item);
+    if (index < 0 || index >= static_cast<int>(m_overlaps.size())) return;
+    const Overlap& overlap = m_overlaps[index];
+    const auto& parts = m_document.joint().parts;
+    if (std::max(overlap.partA, overlap.partB) >= static_cast<int>(parts.size())) return;
+    m_authoring.showCuts(m_cuts_W[index]);
+    // The part whose cage is moved stays the chosen one; else the one that can have a cage.
+    const bool second = parts[overlap.partB].id == m_authoring.part() ||
+                        (parts[overlap.partA].id != m_authoring.part() && parts[overlap.partA].kind == PartKind::Rigid);
+    emit partsWanted({parts[overlap.partA].id, parts[overlap.partB].id}, parts[second ? overlap.partB : overlap.partA].id);
+  });
+  auto* form = new QFormLayout;
+  m_clearance = millimetres(QStringLiteral("cages.clearance"), 0.01, 10, 2);
+  m_clearance->setValue(1);
+  auto* name = new QLabel;
+  name->setBuddy(m_clearance);
+  m_labels.push_back(name);
+  form->addRow(name, m_clearance);
+  layout->addLayout(form);
+  const auto button = [this](const char* id) {
+    auto* made = new QPushButton;
+    made->setObjectName(QLatin1String(id));
+    return made;
+  };
+  m_suggest = button("cages.suggest");
+  m_prove = button("cages.prove");
+  m_stop = button("cages.stop");
+  auto* row = new QHBoxLayout;
+  for (QPushButton* each : {m_suggest, m_prove, m_stop}) row->addWidget(each);
+  layout->addLayout(row);
+  m_progress = new QProgressBar;
+  m_progress->setObjectName(QStringLiteral("cages.progress"));
+  m_progress->setRange(0, 1000);
+  m_progress->hide();
+  layout->addWidget(m_progress);
+  m_outcome = label("cages.outcome");
+  layout->addWidget(m_outcome);
+  m_proof = label("cages.proof");
+  layout->addWidget(m_proof);
+  connect(m_suggest, &QPushButton::clicked, this, &CagePanel::suggest);
+  connect(m_prove, &QPushButton::clicked, this, &CagePanel::prove);
+  connect(m_stop, &QPushButton::clicked, this, [this] {
+    // Nobody waits for the worker: what it finds after this is thrown away.
+    if (!m_cancel) return;
+    *m_cancel = true;
+    end(tr("Stopped; nothing was changed."));
+  });
+  return box;
+}
+
+// ---- What is shown
+
+void CagePanel::showEvent(QShowEvent* event) {
+  QScrollArea::showEvent(event);
+  if (!m_overlapsKnown) m_later.start();
+}
+
+void CagePanel::refresh() {
+  const QScopedValueRollback guard(m_showing, true);
+  const Joint& joint = m_document.joint();
+  const int part = findPart(joint, m_authoring.part());
+  const bool soft = part >= 0 && joint.parts[part].kind == PartKind::Soft && joint.parts[part].volume;
+  const Cage* cage = part < 0 ? nullptr : findCage(joint, joint.parts[part].id);
+  const bool free = m_cancel == nullptr;
+  m_part->setText(part < 0 ? tr("none") : nameOf(joint, part));
+  m_make->setEnabled(soft && free);
+  m_reset->setEnabled(cage && free && cage->moved_W != cage->rest_W);
+  m_remove->setEnabled(cage && free);
+  m_suggest->setEnabled(!m_document.isEmpty() && free);
+  m_prove->setEnabled(!m_document.isEmpty() && free);
+  m_stop->setEnabled(!free);
+  const CageTool& tool = m_authoring.cage();
+  const int count = static_cast<int>(tool.picked().size());
+  m_picked->setText(!soft      ? tr("A cage goes around a soft part with tetrahedra. Choose one among the parts.")
+                    : !cage    ? tr("This part has no cage yet.")
+                    : count == 0 ? tr("%n handle(s); pick some in the view to move them.", nullptr, static_cast<int>(cage->rest_W.size()))
+                                 : tr("%n handle(s) picked. Their mean shift from rest:", nullptr, count));
+  const Vec3 shift = count ? 1e3 * tool.meanShift() : Vec3(Vec3::Zero());
+  for (int axis = 0; axis < 3; ++axis) {
+    m_shift[axis]->setEnabled(count > 0);
+    m_shift[axis]->setValue(shift[axis]);
+  }
+}
+
+void CagePanel::refreshProof() {
+  const Joint& joint = m_document.joint();
+  const auto& proof = joint.startProof;
+  if (!proof) {
+    m_proof->setText(tr("The start has not been proved."));
+  } else if (proof->of != startHash(joint)) {
+    m_proof->setText(tr("The proof is of an older start; prove it again."));
+  } else if (proof->cuts == 0 && proof->minVolumeRatio > kLeastVolumeRatio) {
+    m_proof->setText(tr("Proved: no triangles cut among %1, least volume ratio %2.")
+                         .arg(tr("%n pair(s) of parts", nullptr, proof->pairs), number(proof->minVolumeRatio, 2)));
+  } else {
+    m_proof->setText(tr("The proof fails: %1, least volume ratio %2.")
+                         .arg(tr("%n cut(s)", nullptr, proof->cuts), number(proof->minVolumeRatio, 2)));
+  }
+}
+
+void CagePanel::showOverlaps(const std::vector<Overlap>& overlaps, const std::vector<TriMesh>& surfaces) {
+  const QScopedValueRollback guard(m_showing, true);
+  const Joint& joint = m_document.joint();
+  std::pair<int, int> chosen{-1, -1};
+  if (const int row = m_list->indexOfTopLevelItem(m_list->currentItem()); row >= 0 && row < static_cast<int>(m_overlaps.size()))
+    chosen = {m_overlaps[row].partA, m_overlaps[row].partB};
+  m_overlaps = overlaps;
+  m_cuts_W.clear();
+  m_list->clear();
+  std::vector<Vec3> shown;
+  for (const Overlap& overlap : overlaps) {
+    std::vector<Vec3>& cuts = m_cuts_W.emplace_back();
+    for (const auto& cut : overlap.cuts) {
+      const TriMesh& surface = surfaces[overlap.partA];
+      const auto& t = surface.triangles[cut[0]];
+      cuts.push_back((surface.vertices[t[0]] + surface.vertices[t[1]] + surface.vertices[t[2]]) / 3);
+    }
+    cuts.push_back(overlap.deepest_W);
+    auto* item = new QTreeWidgetItem(
+        m_list, {tr("%1 and %2").arg(nameOf(joint, overlap.partA), nameOf(joint, overlap.partB)),
+                 tr("%1 mm").arg(number(1e3 * overlap.depth, 2)), number(overlap.cuts.size())});
+    if (std::pair(overlap.partA, overlap.partB) == chosen) {
+      m_list->setCurrentItem(item);
+      shown = cuts;
+    }
+  }
+  for (int column = 0; column < 3; ++column) m_list->resizeColumnToContents(column);
+  m_summary->setText(overlaps.empty() ? tr("No two parts that may collide overlap at the start.")
+                                      : tr("%n pair(s) of parts overlap at the start.", nullptr, static_cast<int>(overlaps.size())));
+  m_authoring.showCuts(std::move(shown));
+}
+
+void CagePanel::askOverlaps() {
+  if (m_document.isEmpty()) return;
+  if (m_overlapJob.busy() && m_authoring.cage().isDragging()) {
+    m_later.start();  // one after the other: a list that never comes is not live
+    return;
+  }
+  m_overlapJob.ask([this, joint = m_authoring.liveJoint(),
+                    starts = m_authoring.sharedStarts()](const std::atomic<bool>& stale) -> LatestJob::Answer {
+    auto surfaces = starts->of(joint);
+    if (stale) return {};
+    if (!surfaces.ok()) {
+      return [this, error = surfaces.error()] { m_summary->setText(sentenceOf(error)); };
+    }
+    auto overlaps = findOverlaps(joint, *surfaces);
+    return [this, overlaps = std::move(overlaps), surfaces = std::move(surfaces).value(),
+            parts = joint.parts.size()] {
+      if (parts != m_document.joint().parts.size()) return;
+      m_overlapsKnown = true;
+      showOverlaps(overlaps, surfaces);
+    };
+  });
+}
+
+// ---- What is done
+
+bool CagePanel::sameStart(const Joint& joint) const {
+  const Joint& now = m_document.joint();
+  if (now.parts.size() != joint.parts.size() || now.exclusions != joint.exclusions || now.cages != joint.cages) return false;
+  for (std::size_t i = 0; i < now.parts.size(); ++i)
+    if (now.parts[i].id != joint.parts[i].id || now.parts[i].collision != joint.parts[i].collision ||
+        now.parts[i].volume != joint.parts[i].volume || now.parts[i].visual != joint.parts[i].visual)
+      return false;
+  return true;
+}
+
+void CagePanel::run(const QString& phase, std::function<std::function<void()>(const Cancel&)> work) {
+  if (m_cancel) return;
+  m_cancel = std::make_shared<std::atomic<bool>>(false);
+  m_progress->setRange(0, 0);
+  m_progress->show();
+  m_outcome->setText(phase);
+  refresh();
+  m_workers.start([this, cancel = m_cancel, work = std::move(work)] {
+    if (*cancel) return;
+    auto answer = work(cancel);
+    QMetaObject::invokeMethod(this, [this, cancel, answer = std::move(answer)] {
+      if (*cancel) return;
+      end({});
+      answer();
+    }, Qt::QueuedConnection);
+  });
+}
+
+void CagePanel::end(const QString& sentence) {
+  m_cancel.reset();
+  m_progress->hide();
+  m_outcome->setText(sentence);
+  refresh();
+}
+
+void CagePanel::makeTheCage() {
+  const int index = findPart(m_document.joint(), m_authoring.part());
+  if (index < 0) return;
+  run(tr("Making the cage…"), [this, part = m_document.joint().parts[index], handles = m_handles->value()](const Cancel&) {
+    auto cage = makeCage(part, handles);
+    return [this, part, cage = std::move(cage)] {
+      const int now = findPart(m_document.joint(), part.id);
+      if (now < 0 || m_document.joint().parts[now].volume != part.volume) return;
+      if (!cage.ok()) return m_outcome->setText(sentenceOf(cage.error()));
+      setCage(m_document, *cage, tr("Make a cage around %1").arg(anatomyName(part.name)));
+      m_authoring.setTool(Authoring::Tool::Cage);
+    };
+  });
+}
+
+void CagePanel::resetCage() {
+  if (const Cage* cage = findCage(m_document.joint(), m_authoring.part())) {
+    m_document.endGesture();
+    moveHandles(m_document, m_authoring.part(), cage->rest_W);
+  }
+}
+
+void CagePanel::suggest() {
+  StartWishes wishes;
+  wishes.clearance = 1e-3 * m_clearance->value();
+  wishes.handles = m_handles->value();
+  run(tr("Moving cages apart…"), [this, before = m_document.joint(), wishes](const Cancel& cancel) {
+    Joint joint = before;
+    auto outcome = separateStart(joint, wishes, [this, cancel](double done, int overlaps) {
+      QMetaObject::invokeMethod(this, [this, cancel, done, overlaps] {
+        if (*cancel || cancel != m_cancel) return;
+        m_progress->setRange(0, 1000);
+        m_progress->setValue(static_cast<int>(1000 * done));
+        m_outcome->setText(tr("Moving cages apart: %n pair(s) still overlap.", nullptr, overlaps));
+      }, Qt::QueuedConnection);
+      return !*cancel;
+    });
+    return [this, before, joint = std::move(joint), outcome = std::move(outcome)] {
+      if (!outcome.ok()) return m_outcome->setText(sentenceOf(outcome.error()));
+      if (!sameStart(before)) return m_outcome->setText(tr("The joint was changed meanwhile; ask again."));
+      setStart(m_document, joint.cages, joint.startProof, tr("Separate the start by cages"));
+      m_outcome->setText(
+          outcome->check.holds()
+              ? tr("Nothing overlaps any more; the surface moved by %1 mm at most.").arg(number(1e3 * outcome->maxShift, 1))
+              : tr("%n pair(s) still overlap; move their cages by hand or allow more handles.", nullptr,
+                   static_cast<int>(outcome->check.overlaps.size())));
+    };
+  });
+}
+
+void CagePanel::prove() {
+  run(tr("Counting every cut…"), [this, joint = m_document.joint()](const Cancel&) {
+    auto check = checkStart(joint);
+    return [this, joint, check = std::move(check)] {
+      if (!check.ok()) return m_outcome->setText(sentenceOf(check.error()));
+      if (!sameStart(joint)) return m_outcome->setText(tr("The joint was changed meanwhile; ask again."));
+      setStart(m_document, m_document.joint().cages, check->proof, tr("Prove the start"));
+    };
+  });
+}
+
+// ---- Texts
+
+void CagePanel::retranslate() {
+  const QStringList groups = {tr("Cage"), tr("Overlaps at the start")};
+  for (std::size_t i = 0; i < m_groups.size(); ++i) m_groups[i]->setTitle(groups.value(static_cast<int>(i)));
+  const QStringList labels = {tr("Around:"),    tr("Handles:"),  tr("Anterior:"),
+                              tr("Superior:"), tr("Lateral:"), tr("Clearance:")};
+  for (std::size_t i = 0; i < m_labels.size(); ++i) m_labels[i]->setText(labels.value(static_cast<int>(i)));
+  m_handles->setAccessibleName(tr("Number of handles of a new cage"));
+  m_make->setText(tr("Make"));
+  m_make->setToolTip(tr("Make a cage around this part; an old one goes"));
+  m_reset->setText(tr("Reset"));
+  m_reset->setToolTip(tr("Put all handles back to rest"));
+  m_remove->setText(tr("Remove"));
+  m_remove->setToolTip(tr("Let the part start at rest"));
+  m_suggest->setText(tr("Suggest"));
+  m_suggest->setToolTip(tr("Move cages until no two parts cut each other"));
+  m_prove->setText(tr("Prove"));
+  m_prove->setToolTip(tr("Count every cut exactly and write the result into the joint"));
+  m_stop->setText(tr("Stop"));
+  m_stop->setToolTip(tr("Stop what is under way; nothing is changed then"));
+  for (QDoubleSpinBox* box : m_shift) {
+    box->setSuffix(tr(" mm"));
+    box->setAccessibleName(tr("Shift of the picked handles"));
+  }
+  m_clearance->setSuffix(tr(" mm"));
+  m_clearance->setAccessibleName(tr("Clearance that a suggestion keeps"));
+  m_list->setHeaderLabels({tr("Parts"), tr("Depth"), tr("Cuts")});
+  m_list->setAccessibleName(tr("Overlaps at the start"));
+  m_progress->setAccessibleName(tr("Progress"));
+  if (m_overlapsKnown) {
+    m_summary->setText(m_overlaps.empty() ? tr("No two parts that may collide overlap at the start.")
+                                          : tr("%n pair(s) of parts overlap at the start.", nullptr, static_cast<int>(m_overlaps.size())));
+  }
+  refresh();
+  refreshProof();
+}
+
+void CagePanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  QScrollArea::changeEvent(event);
+}
+
+}  // namespace glenoid

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/AuthorEdits.h"
+
+#include <gtest/gtest.h>
+
+#include "editor/core/tools/Authoring.h"
+#include "simcore/mesh/TrianglePatch.h"
+#include "tests/scenes/BlockScenes.h"
+
+namespace glenoid {
+namespace {
+
+/// Everything of a joint that these edits may touch.
+bool same(const Joint& a, const Joint& b) {
+  if (a.couplings != b.couplings || a.exclusions != b.exclusions || a.parts.size() != b.parts.size()) return false;
+  for (std::size_t i = 0; i < a.parts.size(); ++i)
+    if (a.parts[i].regions != b.parts[i].regions) return false;
+  return true;
+}
+
+class AuthorEditsTest : public testing::Test {
+ protected:
+  AuthorEditsTest() { document.open({scenes::figure4Joint(), scenes::figure4Scenario(), nullptr}, {}); }
+  /// One step that undo takes back and redo makes again.
+  void isOneStep(const Joint& before) {
+    const Joint after = document.joint();
+    EXPECT_EQ(document.undoStack().count(), 1);
+    document.undoStack().undo();
+    EXPECT_TRUE(same(document.joint(), before));
+    document.undoStack().redo();
+    EXPECT_TRUE(same(document.joint(), after));
+    document.undoStack().clear();
+  }
+  Document document;
+};
+
+TEST_F(AuthorEditsTest, aCouplingMakesItsRegionInOneStep) {
+  const Joint before = document.joint();
+  CouplingWish wish{"left", "right", {}, SurfaceKind::Visual, {3, 4, 5, 9}, 2e7, 1e-3, "glued for a test"};
+  const std::string id = addCoupling(document, wish);
+  ASSERT_EQ(id, "left-right");
+  const Coupling& made = document.joint().couplings.back();
+  EXPECT_EQ(made.reason, "glued for a test");
+  const Region* region = findRegion(document.joint().parts[0], made.regionA);
+  ASSERT_NE(region, nullptr);
+  EXPECT_EQ(trianglesOf(*region), wish.triangles);
+  isOneStep(before);
+  EXPECT_EQ(addCoupling(document, wish), "left-right-2") << "several couplings between one pair";
+}
+
+TEST_F(AuthorEditsTest, whatCannotBeDoneIsNoStep) {
+  EXPECT_EQ(addCoupling(document, {"left", "left", {}, SurfaceKind::Visual, {1}, 1e7}), "");
+  EXPECT_EQ(addCoupling(document, {"left", "right", {}, SurfaceKind::Visual, {}, 1e7}), "");
+  EXPECT_EQ(addCoupling(document, {"left", "right", "missing", SurfaceKind::Visual, {}, 1e7}), "");
+  EXPECT_EQ(addCoupling(document, {"left", "right", {}, SurfaceKind::Visual, {1}, 0}), "");
+  EXPECT_FALSE(removeRegion(document, "middle", "left-end")) << "a coupling holds it";
+  EXPECT_FALSE(removeCoupling(document, "missing"));
+  EXPECT_FALSE(setCouplingReason(document, "c12", QString()));
+  EXPECT_EQ(document.undoStack().count(), 0);
+}
+
+TEST_F(AuthorEditsTest, regionsAreMadeChangedAndRemoved) {
+  Joint before = document.joint();
+  const std::string id = addRegion(document, "left", QStringLiteral("Côté gauche"), SurfaceKind::Visual, {0, 1, 2});
+  EXPECT_EQ(id, "c-t-gauche");
+  isOneStep(before);
+  before = document.joint();
+  EXPECT_TRUE(setRegion(document, "left", id, SurfaceKind::Visual, {7, 8}));
+  isOneStep(before);
+  before = document.joint();
+  EXPECT_TRUE(renameRegion(document, "left", id, QStringLiteral("Left side")));
+  isOneStep(before);
+  before = document.joint();
+  EXPECT_TRUE(removeRegion(document, "left", id));
+  isOneStep(before);
+}
+
+TEST_F(AuthorEditsTest, couplingsAreRemovedAndPairsExcluded) {
+  Joint before = document.joint();
+  const auto proposals = proposeExclusions(before);
+  ASSERT_FALSE(proposals.empty());
+  EXPECT_TRUE(excludePair(document, proposals[0]));
+  EXPECT_FALSE(excludePair(document, proposals[0]));
+  EXPECT_EQ(document.joint().exclusions[0].reason, "bonded over 400 mm²: couplings hold the two together");
+  isOneStep(before);
+  before = document.joint();
+  EXPECT_TRUE(removeCoupling(document, "c12"));
+  isOneStep(before);
+}
+
+TEST_F(AuthorEditsTest, selectionIsUndoneStepByStep) {
+  DisplayState display;
+  Authoring authoring(document, display);
+  authoring.setTarget("middle", SurfaceKind::Visual);
+  authoring.select({3}, QStringLiteral("one"));
+  authoring.grow();
+  const std::vector<int> ring = authoring.selected();
+  EXPECT_EQ(ring, grown(*authoring.mesh(), {3}));
+  authoring.invert();
+  EXPECT_EQ(authoring.selected().size() + ring.size(), authoring.mesh()->triangles.size());
+  authoring.invert();
+  authoring.shrink();
+  authoring.selectConnected();
+  EXPECT_EQ(authoring.selected().size(), authoring.mesh()->triangles.size());
+  QUndoStack& undo = document.undoStack();
+  undo.undo();
+  undo.undo();
+  undo.undo();
+  undo.undo();
+  EXPECT_EQ(authoring.selected(), ring);
+  undo.undo();
+  undo.undo();
+  EXPECT_TRUE(authoring.selected().empty());
+  EXPECT_FALSE(undo.canUndo());
+}
+
+TEST_F(AuthorEditsTest, selectionGoesWithItsSurface) {
+  DisplayState display;
+  Authoring authoring(document, display);
+  authoring.setTarget("middle", SurfaceKind::Collision);
+  authoring.select({3, 40}, QStringLiteral("two"));
+  ChangeSet changes;
+  changes.parts = {"middle"};
+  document.edit(QStringLiteral("another surface"), changes, [](Scene& scene) {
+    scene.joint.parts[1].collision = std::make_shared<TriMesh>(scenes::boxSurface(Vec3(-0.02, 0, 0), Vec3(0.02, 0.02, 0.02), 1));
+  });
+  EXPECT_TRUE(authoring.selected().empty());
+  while (document.undoStack().canUndo()) document.undoStack().undo();
+  EXPECT_TRUE(authoring.selected().empty());
+  while (document.undoStack().canRedo()) document.undoStack().redo();
+  EXPECT_EQ(document.joint().parts[1].collision->triangles.size(), 12u);
+  EXPECT_TRUE(authoring.selected().empty());
+}
+
+TEST(FreshId, isASlugThatIsNotTaken) {
+  EXPECT_EQ(freshId("On the  Humerus!", {}), "on-the-humerus");
+  EXPECT_EQ(freshId("a", {"a", "a-2"}), "a-3");
+  EXPECT_EQ(freshId("→", {}), "item");
+}
+
+}  // namespace
+}  // namespace glenoid
