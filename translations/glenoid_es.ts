@@ -2296,7 +2296,7 @@
     </message>
     <message>
         <source>Remove the cage around “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>Quitar la jaula alrededor de «%1»</translation>
     </message>
 </context>
 <context>
