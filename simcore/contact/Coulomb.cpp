@@ -192,8 +192,14 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
 
   constexpr int kPatience = 3;  // Newton steps that may fail to improve before sweeps help out, more each time
   constexpr int kColdSweeps = 30;
-  int sweepsBetween = 5;
+  constexpr int kLarge = 100;   // rows
+  constexpr int kCircles = 2;  // times in a row that patience runs out with next to no gain
+  int sweepsBetween = 5, circles = 0;
+  double before = 0;
   const double tolerance = 1e-11 * (1 + work.d.head(n).cwiseAbs().maxCoeff());
+  // Where contacts are so dependent that Newton's method goes in circles around an answer, that answer is taken once it
+  // is right to a millionth. Not with few contacts, where more steps cost little and bring it to an end as a rule.
+  const double settled = 1e5 * tolerance;
   double best = natural(work, n);
   work.best.head(n) = work.lambda.head(n);
   int patience = kPatience, pivots = limits.pivots;
@@ -208,6 +214,11 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
       for (int k = 0; k < kColdSweeps; ++k, ++report.sweeps) sweep(work, n);
       natural(work, n);
       patience = kPatience;
+    }
+    if (patience == 0) {
+      circles = best > 0.5 * before ? circles + 1 : 0;
+      before = best;
+      if (n > kLarge && best <= settled && circles >= kCircles) break;
     }
     if (patience == 0 || !newtonStep(work, n)) {
       work.lambda.head(n) = work.best.head(n);
@@ -226,7 +237,7 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
     }
   }
   work.lambda.head(n) = work.best.head(n);
-  if (best > tolerance && limits.pivots > 0) {
+  if (best > settled && limits.pivots > 0) {
     for (int k = 0; k < limits.lastSweeps; ++k, ++report.sweeps) sweep(work, n);
     if (!(natural(work, n) < best)) work.lambda.head(n) = work.best.head(n);
   }
