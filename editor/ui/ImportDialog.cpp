@@ -55,8 +55,8 @@ ImportDialog::ImportDialog(Document& document, const QStringList& files, QWidget
   leftLayout->addWidget(makeWishes());
   top->addWidget(left);
   top->addWidget(makeDetails());
-  top->setStretchFactor(0, 3);
-  top->setStretchFactor(1, 2);
+  top->setStretchFactor(0, 1);
+  top->setStretchFactor(1, 1);
   layout->addWidget(top, 1);
 
   m_state = new QLabel;
@@ -97,7 +97,11 @@ QWidget* ImportDialog::makeTable() {
   m_table->setRootIsDecorated(false);
   m_table->setHeaderLabels({tr("Surface"), tr("Triangles"), tr("Size"), tr("Unit"), tr("Side"), tr("State")});
   m_table->header()->setSectionResizeMode(Name, QHeaderView::Interactive);
-  m_table->setColumnWidth(Name, 200);
+  m_table->setColumnWidth(Name, 150);
+  m_table->setColumnWidth(Triangles, 70);
+  m_table->setColumnWidth(Size, 150);
+  m_table->setColumnWidth(Unit, 85);
+  m_table->setColumnWidth(SideColumn, 65);
   m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   connect(m_table, &QTreeWidget::currentItemChanged, this, [this] {
     if (!m_filling) refreshDetails();
@@ -131,6 +135,7 @@ QWidget* ImportDialog::makeDetails() {
   m_findings->setWordWrap(true);
   m_findings->setHeaderLabels({tr("Found"), tr("Repair")});
   m_findings->header()->setSectionResizeMode(QHeaderView::Stretch);
+  connect(m_findings->header(), &QHeaderView::sectionResized, m_findings, [this] { m_findings->doItemsLayout(); });  // words wrap anew
   connect(m_findings, &QTreeWidget::currentItemChanged, this, [this] {
     if (!m_filling) refreshMarks();
   });
@@ -324,8 +329,12 @@ void ImportDialog::refreshMarks() {
   m_picture->show(from.mesh);
   std::vector<int> marked;
   const QTreeWidgetItem* item = m_findings->currentItem();
+  // Where nothing is chosen, what is wrong in places; a whole shell in orange says little.
+  const auto inPlaces = [](const Finding& finding) {
+    return finding.severity == Severity::Blocks && finding.kind != FindingKind::InsideOut && finding.kind != FindingKind::Sheets;
+  };
   for (const Finding& finding : from.found.findings)
-    if (item ? item->data(0, Qt::UserRole) == static_cast<int>(finding.kind) : finding.severity == FindingSeverity::Blocks)
+    if (item ? item->data(0, Qt::UserRole) == static_cast<int>(finding.kind) : inPlaces(finding))
       marked.insert(marked.end(), finding.triangles.begin(), finding.triangles.end());
   std::sort(marked.begin(), marked.end());
   m_picture->mark(std::move(marked));
@@ -354,7 +363,12 @@ void ImportDialog::refreshState() {
 
 void ImportDialog::takeFindings(QTreeWidgetItem* item) {
   if (chosen() < 0 || !item->data(0, Qt::UserRole).isValid()) return;
-  m_session.setRepair(chosen(), static_cast<FindingKind>(item->data(0, Qt::UserRole).toInt()), item->checkState(1) == Qt::Checked);
+  const auto kind = static_cast<FindingKind>(item->data(0, Qt::UserRole).toInt());
+  const bool on = item->checkState(1) == Qt::Checked;
+  // Later: the list is made anew, and the view is still busy with the item that was clicked.
+  QMetaObject::invokeMethod(this, [this, row = chosen(), kind, on] {
+    if (row < static_cast<int>(m_session.rows().size())) m_session.setRepair(row, kind, on);
+  }, Qt::QueuedConnection);
 }
 
 void ImportDialog::wishAxes() {

@@ -22,12 +22,11 @@ void ImportPicture::show(std::shared_ptr<const TriMesh> mesh) {
   m_mesh = std::move(mesh);
   m_marked.clear();
   if (m_mesh) {
-    // The picture's own scale: views are made for metres, files come in anything.
+    // Files come in any unit, so the picture keeps no metres: the ball around the box fills the height.
     const Box3 box = boundsOf(*m_mesh);
-    View view;
-    view.target_W = box.center();
-    view.eye_W = box.center() + 3 * box.diagonal().norm() * Vec3(0.7, 0.4, 0.9).normalized();
-    m_view = framed(view, box, static_cast<double>(std::max(1, width())) / std::max(1, height()));
+    m_view = View();
+    m_view.target_W = box.center();
+    m_view.eye_W = box.center() + 0.53 * box.diagonal().norm() / std::sin(m_view.fieldOfView / 2) * Vec3(0.7, 0.4, 0.9).normalized();
   }
   redraw();
 }

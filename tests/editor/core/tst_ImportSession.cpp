@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QTest>
 #include <cstdlib>
@@ -20,6 +21,12 @@ namespace {
 
 class ImportSessionTest : public ::testing::Test {
  protected:
+  void SetUp() override {
+    static int argc = 1;
+    static char name[] = "tst_ImportSession";
+    static char* argv[] = {name, nullptr};
+    m_application = std::make_unique<QCoreApplication>(argc, argv);  // the event loop of the answers
+  }
   void TearDown() override { ::unsetenv("GLENOID_IMPORT_TEST"); }
   QString put(const std::string& name, const TriMesh& mesh) {
     EXPECT_TRUE(writePly(m_folder.path(name), mesh).ok());
@@ -35,6 +42,7 @@ class ImportSessionTest : public ::testing::Test {
     ball.triangles.pop_back();
     return ball;
   }
+  std::unique_ptr<QCoreApplication> m_application;
   TemporaryFolder m_folder;
 };
 

@@ -95,9 +95,11 @@ TEST_F(ImportDialogTest, droppedFilesAreJudgedMendedAndAdded) {
   // The unit by the keyboard; the size follows.
   auto* unit = in<QComboBox>("import.unit");
   unit->setFocus();
-  QTest::keyClick(unit, Qt::Key_Home);
-  ASSERT_TRUE(until([&] { return !dialog->session().busy() && in<QLabel>("import.size")->text().startsWith(QStringLiteral("47.")); }))
-      << in<QLabel>("import.size")->text().toStdString();
+  for (const auto& [key, size] : {std::pair(Qt::Key_Home, "48 × "), std::pair(Qt::Key_Down, "480 × "), std::pair(Qt::Key_Up, "48 × ")}) {
+    QTest::keyClick(unit, key);
+    ASSERT_TRUE(until([&, wanted = QString::fromUtf8(size)] { return !dialog->session().busy() && in<QLabel>("import.size")->text().startsWith(wanted); }))
+        << in<QLabel>("import.size")->text().toStdString();
+  }
   click(in<QPushButton>("import.forAll"));
   ASSERT_TRUE(until([&] { return !dialog->session().busy(); }));
   EXPECT_EQ(dialog->session().rows()[1].metres, 1e-3);
@@ -113,6 +115,8 @@ TEST_F(ImportDialogTest, droppedFilesAreJudgedMendedAndAdded) {
   EXPECT_EQ(child<QTreeWidget>("partTree")->topLevelItemCount(), static_cast<int>(parts) + 1);
   ASSERT_TRUE(until([this] { return !link.isCompiling() && snapshot().model && snapshot().model->joint.parts.size() == document.joint().parts.size(); }))
       << "the joint with the new part runs";
+  window->activateWindow();  // no window manager gives the focus back
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(document.joint().parts.size(), parts);
   QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -124,13 +128,16 @@ TEST_F(ImportDialogTest, thePictureShowsTheFlawAndTurns) {
   drop({put("a.ply", ball)});
   auto* picture = in<ImportPicture>("import.picture");
   auto* findings = in<QTreeWidget>("import.findings");
+  const auto choose = [&](FindingKind kind) {
+    for (int i = 0; i < findings->topLevelItemCount(); ++i) {
+      QTreeWidgetItem* item = findings->topLevelItem(i);
+      if (item->data(0, Qt::UserRole).toInt() == static_cast<int>(kind)) click(findings->viewport(), findings->visualItemRect(item).center() - QPoint(findings->width() / 4, 0));
+    }
+    QTest::qWait(50);
+  };
+  choose(FindingKind::InsideOut);
   const QImage all = picture->grab().toImage();
-  QTreeWidgetItem* inside = nullptr;
-  for (int i = 0; i < findings->topLevelItemCount(); ++i)
-    if (findings->topLevelItem(i)->data(0, Qt::UserRole).toInt() == static_cast<int>(FindingKind::Holes)) inside = findings->topLevelItem(i);
-  ASSERT_NE(inside, nullptr);
-  click(findings->viewport(), findings->visualItemRect(inside).center() - QPoint(findings->width() / 4, 0));
-  QTest::qWait(50);
+  choose(FindingKind::Holes);
   const QImage holes = picture->grab().toImage();
   EXPECT_GT(difference(all.convertToFormat(QImage::Format_RGB32), holes.convertToFormat(QImage::Format_RGB32)), 0.05) << "all of it was orange, now three triangles";
   QTest::mousePress(picture, Qt::LeftButton, Qt::NoModifier, QPoint(100, 100));
