@@ -33,6 +33,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
       m_problems(m_document, m_jobs) {
   setObjectName(QStringLiteral("mainWindow"));
   m_workers.setMaxThreadCount(1);
+  setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
   setCentralWidget(makeCentre(graphics));
   makeDocks();

@@ -50,6 +50,8 @@ class MainWindow : public QMainWindow {
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
+  /// Opens the dialog that looks at files of surfaces; adds them to it where it is open already.
+  void importSurfaceFiles(const QStringList& files);
   /// Where safety copies lie; offers at once what a program that was killed left there.
   void offerRecovery(const QString& autosaveRoot);
   /// Writes the joint for another program in the background, then says what was lost.
@@ -63,6 +65,8 @@ class MainWindow : public QMainWindow {
  protected:
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void makeFileActions();
@@ -80,6 +84,7 @@ class MainWindow : public QMainWindow {
   bool mayDiscard();
   void askForScene();
   void askForJointFolder();
+  void askForSurfaces();
   void askForRecovery(bool all);
   void saveAs();
   void exportPicture();

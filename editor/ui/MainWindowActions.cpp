@@ -37,6 +37,9 @@ void MainWindow::makeFileActions() {
   m_actions.add("openJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
                 [] { return Actions::Words{tr("Open a &joint…"), tr("Open a .joint folder")}; },
                 [this] { askForJointFolder(); });
+  m_actions.add("import", {}, {QKeySequence(Qt::CTRL | Qt::Key_I)},
+                [] { return Actions::Words{tr("&Import surfaces…"), tr("Bring in surface meshes of other programs")}; },
+                [this] { askForSurfaces(); });
   for (const char* name : kBuiltins) {
     m_actions.add(QLatin1String(name), {}, {}, [name] {
       const QString id = QLatin1String(name);
@@ -201,7 +204,7 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menu();
-  fill(file, {"open", "openJoint"});
+  fill(file, {"open", "openJoint", "import"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
   fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});

@@ -291,30 +291,37 @@ bool SurfaceDiagnosis::healthy() const {
 
 SurfaceDiagnosis diagnose(const TriMesh& mesh, const DiagnosisOptions& options) { return Diagnosing(mesh, options).run(); }
 
-std::vector<RepairStep> automaticRepairs(const SurfaceDiagnosis& diagnosis) {
+std::vector<RepairStep> repairsFor(const SurfaceDiagnosis& diagnosis, const std::set<FindingKind>& chosen) {
   std::vector<RepairStep> wanted;
   for (const Finding& finding : diagnosis.findings)
-    if (finding.harmless) wanted.insert(wanted.end(), finding.repairs.begin(), finding.repairs.end());
+    if (chosen.count(finding.kind)) wanted.insert(wanted.end(), finding.repairs.begin(), finding.repairs.end());
+  const auto has = [&](RepairKind kind) {
+    return std::any_of(wanted.begin(), wanted.end(), [&](const RepairStep& step) { return step.kind == kind; });
+  };
   std::vector<RepairStep> ordered;
   const auto take = [&](RepairKind kind) {
     for (const RepairStep& step : wanted)
       if (step.kind == kind) return ordered.push_back(step);
   };
-  const auto has = [&](RepairKind kind) {
-    return std::any_of(wanted.begin(), wanted.end(), [&](const RepairStep& step) { return step.kind == kind; });
-  };
-  for (const RepairKind kind : {RepairKind::Weld, RepairKind::DropDegenerate, RepairKind::DropDuplicates, RepairKind::Orient,
-                                RepairKind::SplitNonManifold, RepairKind::DropSheets, RepairKind::DropSmall, RepairKind::FillHoles})
+  for (const RepairKind kind : {RepairKind::KeepSide, RepairKind::Weld, RepairKind::DropDegenerate, RepairKind::DropDuplicates, RepairKind::Orient,
+                                RepairKind::SplitNonManifold, RepairKind::DropSheets, RepairKind::KeepLargest, RepairKind::DropSmall, RepairKind::FillHoles})
     take(kind);
   if (has(RepairKind::FillHoles)) {
     ordered.push_back({RepairKind::DropDegenerate});  // a crack closes to a face without area
     ordered.push_back({RepairKind::Orient});
   }
-  if (!ordered.empty() || has(RepairKind::Outwards)) {
-    const bool turning = has(RepairKind::Outwards) || has(RepairKind::Orient) || has(RepairKind::FillHoles) || has(RepairKind::SplitNonManifold);
-    if (turning) ordered.push_back({RepairKind::Outwards});
-  }
+  take(RepairKind::RemoveSelfIntersections);
+  if (has(RepairKind::Outwards) || has(RepairKind::Orient) || has(RepairKind::FillHoles) || has(RepairKind::SplitNonManifold))
+    ordered.push_back({RepairKind::Outwards});
+  take(RepairKind::Thicken);
   return ordered;
+}
+
+std::vector<RepairStep> automaticRepairs(const SurfaceDiagnosis& diagnosis) {
+  std::set<FindingKind> harmless;
+  for (const Finding& finding : diagnosis.findings)
+    if (finding.harmless) harmless.insert(finding.kind);
+  return repairsFor(diagnosis, harmless);
 }
 
 const char* findingName(FindingKind kind) {

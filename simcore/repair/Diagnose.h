@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <functional>
+#include <set>
 #include <string>
 
 #include "simcore/repair/Findings.h"
@@ -39,7 +40,10 @@ struct SurfaceDiagnosis {
 
 SurfaceDiagnosis diagnose(const TriMesh& mesh, const DiagnosisOptions& options = {});
 
-/// The harmless repairs of all findings, in an order that works; what `--auto` and "repair all" take.
+/// The repairs that these findings offer, in an order that works; kinds that were not found offer nothing.
+std::vector<RepairStep> repairsFor(const SurfaceDiagnosis& diagnosis, const std::set<FindingKind>& chosen);
+
+/// Those of all findings whose repair is harmless; what `--auto` takes.
 std::vector<RepairStep> automaticRepairs(const SurfaceDiagnosis& diagnosis);
 
 /// Metres per unit from the size, the place and the name. The sizes are those of bones, muscles and ligaments of an

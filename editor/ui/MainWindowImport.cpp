@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Surfaces from other programs, by the menu or dropped on the window.
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QUrl>
+
+#include "editor/ui/ImportDialog.h"
+#include "editor/ui/MainWindow.h"
+#include "editor/ui/SceneView.h"
+#include "simcore/import/MeshFormat.h"
+
+namespace glenoid {
+namespace {
+
+QStringList surfacesIn(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile() && QFileInfo(url.toLocalFile()).isFile() && formatByEnding(url.toLocalFile().toStdString())) files << url.toLocalFile();
+  return files;
+}
+
+}  // namespace
+
+void MainWindow::askForSurfaces() {
+  QStringList patterns;
+  for (const std::string& ending : importEndings()) patterns << QStringLiteral("*.") + QString::fromStdString(ending);
+  const QStringList files = QFileDialog::getOpenFileNames(this, tr("Import surfaces"), {}, tr("Surfaces (%1);;All files (*)").arg(patterns.join(QLatin1Char(' '))));
+  if (!files.isEmpty()) importSurfaceFiles(files);
+}
+
+void MainWindow::importSurfaceFiles(const QStringList& files) {
+  if (auto* open = findChild<ImportDialog*>()) return open->addFiles(files);
+  auto* dialog = new ImportDialog(m_document, files, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ImportDialog::imported, this, [this](const QStringList& parts) {
+    showProblem({});
+    std::set<std::string> ids;
+    for (const QString& part : parts) ids.insert(part.toStdString());
+    m_selection.assign(ids, *ids.begin());
+    if (m_view) m_view->frameAll();
+  });
+  dialog->open();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!surfacesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QStringList files = surfacesIn(*event->mimeData());
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  importSurfaceFiles(files);
+}
+
+}  // namespace glenoid
