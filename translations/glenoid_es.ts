@@ -570,18 +570,6 @@
         <translation>Cambiar la amortiguación de un acoplamiento</translation>
     </message>
     <message>
-        <source>Switch the collision of %1 and %2 off</source>
-        <translation>Desactivar la colisión entre %1 y %2</translation>
-    </message>
-    <message>
-        <source>Move the cage of %1</source>
-        <translation>Mover la jaula de %1</translation>
-    </message>
-    <message>
-        <source>Remove the cage of %1</source>
-        <translation>Quitar la jaula de %1</translation>
-    </message>
-    <message>
         <source>Make the region “%1”</source>
         <translation>Crear la región «%1»</translation>
     </message>
@@ -596,6 +584,18 @@
     <message>
         <source>Make %1 of “%2”</source>
         <translation>Hacer %1 de «%2»</translation>
+    </message>
+    <message>
+        <source>Switch the collision of %1 and %2 off</source>
+        <translation>Desactivar la colisión entre %1 y %2</translation>
+    </message>
+    <message>
+        <source>Move the cage of %1</source>
+        <translation>Mover la jaula de %1</translation>
+    </message>
+    <message>
+        <source>Remove the cage of %1</source>
+        <translation>Quitar la jaula de %1</translation>
     </message>
 </context>
 <context>
@@ -703,10 +703,6 @@
             <numerusform>%n nodo</numerusform>
             <numerusform>%n nodos</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The part will add about %1 ms to a step, without contacts.</source>
-        <translation>La pieza añadirá unos %1 ms a un paso, sin contactos.</translation>
     </message>
     <message numerus="yes">
         <source>The tetrahedra fall into %n piece(s): take smaller cells.</source>
@@ -839,6 +835,10 @@
         <source>Tetrahedra</source>
         <translation>Tetraedros</translation>
     </message>
+    <message>
+        <source>The part is about %1 mm thick and will add about %2 ms to a step, without contacts.</source>
+        <translation>La pieza tiene unos %1 mm de grosor y añadirá unos %2 ms a un paso, sin contactos.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::CagePanel</name>
@@ -939,10 +939,6 @@
             <numerusform>Separando las jaulas: %n par aún se solapa.</numerusform>
             <numerusform>Separando las jaulas: %n pares aún se solapan.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>The joint was changed meanwhile; ask again.</source>
-        <translation>La articulación ha cambiado entretanto; pídalo de nuevo.</translation>
     </message>
     <message>
         <source>Separate the start by cages</source>

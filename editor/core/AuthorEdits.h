@@ -46,7 +46,8 @@ bool setCouplingDamping(Document& document, const std::string& coupling, double 
 /// Collision of a pair off, with the reason written into the joint.
 bool excludePair(Document& document, const ExclusionProposal& proposal);
 
-/// The cage in the place of the one its part had; false for a part that is not soft, an id that another has, or no change. The proof of the start goes with every change of a cage.
+/// The cage in the place of the one its part had; false for a part that is not soft, an id that another has, or no
+/// change. The proof of the start goes with every change of a cage.
 bool setCage(Document& document, const Cage& cage, const QString& text);
 /// Handles to these places, as many as there are; steps in a row with one `gesture` are one.
 bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture = {});

@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <QToolBar>
 
-#include "editor/core/PlayLink.h"
+#include "editor/core/JobSystem.h"
 #include "editor/ui/BodyPanel.h"
 #include "editor/ui/CagePanel.h"
 #include "editor/ui/CouplingPanel.h"
@@ -28,12 +28,12 @@ constexpr ModeKey kModes[] = {{PickMode::Click, "click", Qt::Key_C},
 
 }  // namespace
 
-AuthorDocks::AuthorDocks(QMainWindow& window, Actions& actions, Document& document, PlayLink&, DisplayState& display,
+AuthorDocks::AuthorDocks(QMainWindow& window, Actions& actions, Document& document, JobSystem& jobs, DisplayState& display,
                          Selection& selection, SceneView* view)
     : QObject(&window), m_window(window), m_view(view), m_authoring(document, display) {
   if (view) view->setAuthoring(&m_authoring);
   addDock("couplings", new CouplingPanel(document, selection, m_authoring));
-  auto* cages = new CagePanel(document, selection, m_authoring);
+  auto* cages = new CagePanel(document, selection, m_authoring, jobs);
   addDock("cages", cages);
   connect(cages, &CagePanel::partsWanted, this, [&selection, view](const std::set<std::string>& ids, const std::string& current) {
     selection.assign(ids, current);
@@ -70,7 +70,8 @@ void AuthorDocks::addDock(const char* name, QWidget* content, Qt::DockWidgetArea
 
 void AuthorDocks::makeActions(Actions& actions) {
   m_menu = new QMenu(&m_window);
-  m_toolBar = m_window.addToolBar(QString());
+  m_toolBar = new QToolBar(&m_window);
+  m_window.addToolBar(Qt::LeftToolBarArea, m_toolBar);
   m_toolBar->setObjectName(QStringLiteral("bar.author"));
   m_toolBar->setIconSize({20, 20});
   m_toolBar->setMovable(false);

@@ -13,7 +13,7 @@ class QToolBar;
 
 namespace glenoid {
 
-class PlayLink;
+class JobSystem;
 class SceneView;
 
 /// The author's part of the window: the tools with their buttons and keys, and their panels beside the properties. Made
@@ -21,7 +21,7 @@ class SceneView;
 class AuthorDocks : public QObject {
   Q_OBJECT
  public:
-  AuthorDocks(QMainWindow& window, Actions& actions, Document& document, PlayLink& link, DisplayState& display,
+  AuthorDocks(QMainWindow& window, Actions& actions, Document& document, JobSystem& jobs, DisplayState& display,
               Selection& selection, SceneView* view);
   ~AuthorDocks() override;
 

@@ -159,22 +159,6 @@ QWidget* BodyPanel::makeControls() {
   matterLayout->addLayout(matterRow);
   layout->addWidget(matter);
 
-  m_figures = new QLabel;
-  m_figures->setObjectName(QStringLiteral("bodies.figures"));
-  m_figures->setWordWrap(true);
-  layout->addWidget(m_figures);
-  m_outcome = new QLabel;
-  m_outcome->setObjectName(QStringLiteral("bodies.outcome"));
-  m_outcome->setWordWrap(true);
-  m_outcome->setProperty("role", QStringLiteral("problem"));
-  m_outcome->hide();
-  layout->addWidget(m_outcome);
-  m_apply = button("bodies.apply");
-  m_revert = button("bodies.revert");
-  auto* last = new QHBoxLayout;
-  last->addWidget(m_apply);
-  last->addWidget(m_revert);
-  layout->addLayout(last);
   layout->addStretch(1);
 
   connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
@@ -222,18 +206,15 @@ QWidget* BodyPanel::makeControls() {
     m_important.clear();
     ask();
   });
-  connect(m_apply, &QPushButton::clicked, this, &BodyPanel::apply);
-  connect(m_revert, &QPushButton::clicked, this, [this] {
-    m_visual.reset();
-    takePart();
-  });
   return content;
 }
 
 QWidget* BodyPanel::makePictures() {
   auto* content = new QWidget;
-  auto* layout = new QHBoxLayout(content);
-  layout->setContentsMargins(4, 4, 4, 4);
+  auto* whole = new QVBoxLayout(content);
+  whole->setContentsMargins(4, 4, 8, 8);
+  auto* layout = new QHBoxLayout;
+  whole->addLayout(layout, 1);
   for (const char* name : {"bodies.visual", "bodies.collision", "bodies.volume"}) {
     auto* column = new QVBoxLayout;
     auto* picture = new QLabel;
@@ -250,6 +231,33 @@ QWidget* BodyPanel::makePictures() {
     m_pictures.push_back(picture);
     m_captions.push_back(caption);
   }
+  const auto words = [](const char* name) {
+    auto* made = new QLabel;
+    made->setObjectName(QLatin1String(name));
+    made->setWordWrap(true);
+    return made;
+  };
+  m_figures = words("bodies.figures");
+  m_outcome = words("bodies.outcome");
+  m_outcome->setProperty("role", QStringLiteral("problem"));
+  m_outcome->hide();
+  m_apply = new QPushButton;
+  m_apply->setObjectName(QStringLiteral("bodies.apply"));
+  m_revert = new QPushButton;
+  m_revert->setObjectName(QStringLiteral("bodies.revert"));
+  auto* last = new QHBoxLayout;
+  auto* texts = new QVBoxLayout;
+  texts->addWidget(m_figures);
+  texts->addWidget(m_outcome);
+  last->addLayout(texts, 1);
+  last->addWidget(m_apply, 0, Qt::AlignBottom);
+  last->addWidget(m_revert, 0, Qt::AlignBottom);
+  whole->addLayout(last);
+  connect(m_apply, &QPushButton::clicked, this, &BodyPanel::apply);
+  connect(m_revert, &QPushButton::clicked, this, [this] {
+    m_visual.reset();
+    takePart();
+  });
   return content;
 }
 
@@ -389,12 +397,13 @@ void BodyPanel::showFigures() {
   if (!m_madeWish) return m_figures->setText(tr("This is what the part has. Move a slider to try another body."));
   QStringList lines;
   lines << tr("The collision surface leaves the visual one by %1 mm at most, %2 mm on average; its volume is off by %3 %.")
-               .arg(number(1e3 * figures.deviationMax, 2), number(1e3 * figures.deviationMean, 2), number(100 * figures.volumeError, 2));
+               .arg(number(1e3 * figures.deviationMax, 2), number(1e3 * figures.deviationMean, 2), number(100 * std::abs(figures.volumeError), 2));
   if (m_made->volume) {
     lines << tr("%1 with %2; tissue fills %3 % of them, the emptiest %4 %.")
                  .arg(tr("%n tetrahedron(s)", nullptr, figures.tetrahedra), tr("%n node(s)", nullptr, figures.nodes),
                       number(100 * figures.meanFill, 0), number(100 * figures.leastFill, 0));
-    lines << tr("The part will add about %1 ms to a step, without contacts.").arg(number(figures.stepMs, 2));
+    lines << tr("The part is about %1 mm thick and will add about %2 ms to a step, without contacts.")
+                 .arg(number(1e3 * figures.thinnest, 1), number(figures.stepMs, 2));
     if (figures.pieces > 1) lines << tr("The tetrahedra fall into %n piece(s): take smaller cells.", nullptr, figures.pieces);
   }
   m_figures->setText(lines.join(QLatin1Char('\n')));

@@ -14,6 +14,7 @@
 
 #include "editor/core/AnatomyNames.h"
 #include "editor/core/AuthorEdits.h"
+#include "editor/core/SameScene.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Numbers.h"
 #include "simcore/author/MakeCage.h"
@@ -40,13 +41,12 @@ QDoubleSpinBox* millimetres(const QString& name, double low, double high, int de
 
 }  // namespace
 
-CagePanel::CagePanel(Document& document, Selection& selection, Authoring& authoring, QWidget* parent)
-    : QScrollArea(parent), m_document(document), m_selection(selection), m_authoring(authoring) {
+CagePanel::CagePanel(Document& document, Selection& selection, Authoring& authoring, JobSystem& jobs, QWidget* parent)
+    : QScrollArea(parent), m_document(document), m_selection(selection), m_authoring(authoring), m_jobs(jobs) {
   setObjectName(QStringLiteral("cages"));
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setMinimumWidth(310);
-  m_workers.setMaxThreadCount(1);
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(8, 8, 8, 8);
@@ -77,12 +77,16 @@ CagePanel::CagePanel(Document& document, Selection& selection, Authoring& author
     if (m_authoring.tool() == Authoring::Tool::Cage && findPart(m_document.joint(), m_selection.current()) >= 0)
       m_authoring.setTarget(m_selection.current(), m_authoring.surface());
   });
+  connect(&jobs, &JobSystem::changed, this, &CagePanel::showJob);
+  connect(&jobs, &JobSystem::ended, this, [this](int id, JobSystem::End end, const QString& sentence) {
+    if (id != m_job) return;
+    m_job = 0;
+    m_progress->hide();
+    if (end == JobSystem::End::Cancelled) m_outcome->setText(tr("Stopped; nothing was changed."));
+    else if (!sentence.isEmpty()) m_outcome->setText(sentence);
+    refresh();
+  });
   retranslate();
-}
-
-CagePanel::~CagePanel() {
-  if (m_cancel) *m_cancel = true;
-  m_workers.waitForDone();
 }
 
 // ---- Widgets
@@ -200,10 +204,7 @@ QWidget* CagePanel::makeOverlapBox() {
   connect(m_suggest, &QPushButton::clicked, this, &CagePanel::suggest);
   connect(m_prove, &QPushButton::clicked, this, &CagePanel::prove);
   connect(m_stop, &QPushButton::clicked, this, [this] {
-    // Nobody waits for the worker: what it finds after this is thrown away.
-    if (!m_cancel) return;
-    *m_cancel = true;
-    end(tr("Stopped; nothing was changed."));
+    m_jobs.cancel(m_job);
   });
   return box;
 }
@@ -221,7 +222,7 @@ void CagePanel::refresh() {
   const int part = findPart(joint, m_authoring.part());
   const bool soft = part >= 0 && joint.parts[part].kind == PartKind::Soft && joint.parts[part].volume;
   const Cage* cage = part < 0 ? nullptr : findCage(joint, joint.parts[part].id);
-  const bool free = m_cancel == nullptr;
+  const bool free = m_job == 0;
   m_part->setText(part < 0 ? tr("none") : nameOf(joint, part));
   m_make->setEnabled(soft && free);
   m_reset->setEnabled(cage && free && cage->moved_W != cage->rest_W);
@@ -315,100 +316,105 @@ void CagePanel::askOverlaps() {
 
 // ---- What is done
 
-bool CagePanel::sameStart(const Joint& joint) const {
-  const Joint& now = m_document.joint();
-  if (now.parts.size() != joint.parts.size() || now.exclusions != joint.exclusions || now.cages != joint.cages) return false;
-  for (std::size_t i = 0; i < now.parts.size(); ++i)
-    if (now.parts[i].id != joint.parts[i].id || now.parts[i].collision != joint.parts[i].collision ||
-        now.parts[i].volume != joint.parts[i].volume || now.parts[i].visual != joint.parts[i].visual)
-      return false;
-  return true;
+namespace {
+
+/// What a start depends on is the same in both.
+bool sameStart(const Scene& then, const Scene& now) {
+  const Joint &a = then.joint, &b = now.joint;
+  return a.exclusions == b.exclusions && a.cages == b.cages &&
+         std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), [](const Part& p, const Part& q) {
+           return p.id == q.id && p.kind == q.kind && sameMeshes(p, q);
+         });
 }
 
-void CagePanel::run(const QString& phase, std::function<std::function<void()>(const Cancel&)> work) {
-  if (m_cancel) return;
-  m_cancel = std::make_shared<std::atomic<bool>>(false);
+}  // namespace
+
+void CagePanel::begin(int job, const QString& phase) {
+  m_job = job;
   m_progress->setRange(0, 0);
   m_progress->show();
   m_outcome->setText(phase);
   refresh();
-  m_workers.start([this, cancel = m_cancel, work = std::move(work)] {
-    if (*cancel) return;
-    auto answer = work(cancel);
-    QMetaObject::invokeMethod(this, [this, cancel, answer = std::move(answer)] {
-      if (*cancel) return;
-      end({});
-      answer();
-    }, Qt::QueuedConnection);
-  });
 }
 
-void CagePanel::end(const QString& sentence) {
-  m_cancel.reset();
-  m_progress->hide();
-  m_outcome->setText(sentence);
-  refresh();
+void CagePanel::showJob() {
+  for (const JobSystem::Info& info : m_jobs.jobs()) {
+    if (info.id != m_job) continue;
+    if (!info.phase.isEmpty()) m_outcome->setText(info.phase);
+    if (info.done <= 0) continue;
+    m_progress->setRange(0, 1000);
+    m_progress->setValue(static_cast<int>(1000 * info.done));
+  }
 }
 
 void CagePanel::makeTheCage() {
   const int index = findPart(m_document.joint(), m_authoring.part());
-  if (index < 0) return;
-  run(tr("Making the cage…"), [this, part = m_document.joint().parts[index], handles = m_handles->value()](const Cancel&) {
-    auto cage = makeCage(part, handles);
-    return [this, part, cage = std::move(cage)] {
-      const int now = findPart(m_document.joint(), part.id);
-      if (now < 0 || m_document.joint().parts[now].volume != part.volume) return;
-      if (!cage.ok()) return m_outcome->setText(sentenceOf(cage.error()));
-      setCage(m_document, *cage, tr("Make a cage around %1").arg(anatomyName(part.name)));
-      m_authoring.setTool(Authoring::Tool::Cage);
-    };
-  });
+  if (index < 0 || m_job) return;
+  const Part part = m_document.joint().parts[index];
+  const int handles = m_handles->value();
+  begin(m_jobs.start<Cage>(
+            tr("Make a cage around %1").arg(anatomyName(part.name)),
+            [part, handles](JobContext&) -> Result<Cage> { return makeCage(part, handles); },
+            [this, name = anatomyName(part.name)](const Cage& cage) {
+              setCage(m_document, cage, tr("Make a cage around %1").arg(name));
+              m_authoring.setTool(Authoring::Tool::Cage);
+              m_outcome->clear();
+            },
+            JobSystem::partsAreTheSame({part.id})),
+        tr("Making the cage…"));
 }
 
 void CagePanel::resetCage() {
   if (const Cage* cage = findCage(m_document.joint(), m_authoring.part())) {
+    const std::vector<Vec3> rest = cage->rest_W;
     m_document.endGesture();
-    moveHandles(m_document, m_authoring.part(), cage->rest_W);
+    moveHandles(m_document, m_authoring.part(), rest);
   }
 }
 
 void CagePanel::suggest() {
+  if (m_job) return;
   StartWishes wishes;
   wishes.clearance = 1e-3 * m_clearance->value();
   wishes.handles = m_handles->value();
-  run(tr("Moving cages apart…"), [this, before = m_document.joint(), wishes](const Cancel& cancel) {
-    Joint joint = before;
-    auto outcome = separateStart(joint, wishes, [this, cancel](double done, int overlaps) {
-      QMetaObject::invokeMethod(this, [this, cancel, done, overlaps] {
-        if (*cancel || cancel != m_cancel) return;
-        m_progress->setRange(0, 1000);
-        m_progress->setValue(static_cast<int>(1000 * done));
-        m_outcome->setText(tr("Moving cages apart: %n pair(s) still overlap.", nullptr, overlaps));
-      }, Qt::QueuedConnection);
-      return !*cancel;
-    });
-    return [this, before, joint = std::move(joint), outcome = std::move(outcome)] {
-      if (!outcome.ok()) return m_outcome->setText(sentenceOf(outcome.error()));
-      if (!sameStart(before)) return m_outcome->setText(tr("The joint was changed meanwhile; ask again."));
-      setStart(m_document, joint.cages, joint.startProof, tr("Separate the start by cages"));
-      m_outcome->setText(
-          outcome->check.holds()
-              ? tr("Nothing overlaps any more; the surface moved by %1 mm at most.").arg(number(1e3 * outcome->maxShift, 1))
-              : tr("%n pair(s) still overlap; move their cages by hand or allow more handles.", nullptr,
-                   static_cast<int>(outcome->check.overlaps.size())));
-    };
-  });
+  struct Found {
+    Joint joint;
+    SeparationOutcome outcome;
+  };
+  begin(m_jobs.start<Found>(
+            tr("Separate the start by cages"),
+            [joint = m_document.joint(), wishes](JobContext& context) -> Result<Found> {
+              Found found{joint, {}};
+              auto outcome = separateStart(found.joint, wishes, [&context](double done, int overlaps) {
+                context.phase(tr("Moving cages apart: %n pair(s) still overlap.", nullptr, overlaps));
+                return context.progress(done);
+              });
+              if (!outcome) return outcome.error();
+              found.outcome = std::move(*outcome);
+              return found;
+            },
+            [this](const Found& found) {
+              setStart(m_document, found.joint.cages, found.joint.startProof, tr("Separate the start by cages"));
+              m_outcome->setText(found.outcome.check.holds()
+                                     ? tr("Nothing overlaps any more; the surface moved by %1 mm at most.")
+                                           .arg(number(1e3 * found.outcome.maxShift, 1))
+                                     : tr("%n pair(s) still overlap; move their cages by hand or allow more handles.", nullptr,
+                                          static_cast<int>(found.outcome.check.overlaps.size())));
+            },
+            sameStart),
+        tr("Moving cages apart…"));
 }
 
 void CagePanel::prove() {
-  run(tr("Counting every cut…"), [this, joint = m_document.joint()](const Cancel&) {
-    auto check = checkStart(joint);
-    return [this, joint, check = std::move(check)] {
-      if (!check.ok()) return m_outcome->setText(sentenceOf(check.error()));
-      if (!sameStart(joint)) return m_outcome->setText(tr("The joint was changed meanwhile; ask again."));
-      setStart(m_document, m_document.joint().cages, check->proof, tr("Prove the start"));
-    };
-  });
+  if (m_job) return;
+  begin(m_jobs.start<StartCheck>(
+            tr("Prove the start"), [joint = m_document.joint()](JobContext&) { return checkStart(joint); },
+            [this](const StartCheck& check) {
+              setStart(m_document, m_document.joint().cages, check.proof, tr("Prove the start"));
+              m_outcome->clear();
+            },
+            sameStart),
+        tr("Counting every cut…"));
 }
 
 // ---- Texts

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QScrollArea>
-#include <QThreadPool>
 #include <QTimer>
-#include <atomic>
-#include <memory>
 
+#include "editor/core/JobSystem.h"
 #include "editor/core/LatestJob.h"
 #include "editor/core/tools/Authoring.h"
 #include "simcore/author/Overlaps.h"
@@ -25,8 +23,7 @@ namespace glenoid {
 class CagePanel : public QScrollArea {
   Q_OBJECT
  public:
-  CagePanel(Document& document, Selection& selection, Authoring& authoring, QWidget* parent = nullptr);
-  ~CagePanel() override;
+  CagePanel(Document& document, Selection& selection, Authoring& authoring, JobSystem& jobs, QWidget* parent = nullptr);
 
  signals:
   void partsWanted(const std::set<std::string>& ids, const std::string& current);  ///< show these two
@@ -47,11 +44,8 @@ class CagePanel : public QScrollArea {
   void resetCage();
   void suggest();
   void prove();
-  using Cancel = std::shared_ptr<std::atomic<bool>>;
-  /// Runs on the worker; what it answers runs here, unless somebody has pressed Stop meanwhile.
-  void run(const QString& phase, std::function<std::function<void()>(const Cancel&)> work);
-  void end(const QString& sentence);
-  bool sameStart(const Joint& joint) const;
+  void begin(int job, const QString& phase);
+  void showJob();
 
   Document& m_document;
   Selection& m_selection;
@@ -61,8 +55,8 @@ class CagePanel : public QScrollArea {
   std::vector<Overlap> m_overlaps;
   std::vector<std::vector<Vec3>> m_cuts_W;  ///< by overlap
   bool m_overlapsKnown = false, m_showing = false;
-  Cancel m_cancel;  ///< of the job that somebody waits for
-  QThreadPool m_workers;
+  JobSystem& m_jobs;
+  int m_job = 0;  ///< that was begun here; 0: none
 
   std::vector<QGroupBox*> m_groups;
   std::vector<QLabel*> m_labels;

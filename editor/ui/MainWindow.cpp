@@ -41,7 +41,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   makeEditActions();
   makeViewActions();
   makeSimulationActions();
-  m_author = new AuthorDocks(*this, m_actions, m_document, m_link, m_display, m_selection, m_view);
+  m_author = new AuthorDocks(*this, m_actions, m_document, m_jobs, m_display, m_selection, m_view);
   makeMenus();
   makeToolBars();
 

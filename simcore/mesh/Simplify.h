@@ -15,7 +15,7 @@ struct SimplifyOptions {
   int largeMesh = 40000;
   /// How much the squared error counts at each vertex of the input, > 0; empty: one everywhere. More of the triangles
   /// go where it is high. The first reduction of a large mesh does not see it.
-  std::vector<double> importance;
+  std::vector<double> importance = {};
 };
 
 /// Quick reduction of a large surface to roughly `targetTriangles`, by picking among its vertices (meshoptimizer). It

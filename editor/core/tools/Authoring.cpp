@@ -197,6 +197,7 @@ void Authoring::showCuts(std::vector<Vec3> cuts_W) {
 
 void Authoring::refreshNodes() {
   m_nodes_W.clear();
+  m_nodesJob.drop();
   const int index = findPart(m_document.joint(), m_picked.part);
   if (index < 0 || m_picked.triangles.empty()) return;
   const Part& part = m_document.joint().parts[index];
@@ -204,7 +205,15 @@ void Authoring::refreshNodes() {
   Region region;
   region.surface = m_picked.surface;
   region.triangles = runsOf(m_picked.triangles);
-  for (const RegionAnchor& anchor : regionAnchors({&part, Vec3::Zero()}, region)) m_nodes_W.push_back(anchor.rest_W);
+  // Finding the cell of every vertex of a fine surface takes longer than a frame.
+  m_nodesJob.ask([this, part, region](const std::atomic<bool>&) -> LatestJob::Answer {
+    std::vector<Vec3> nodes;
+    for (const RegionAnchor& anchor : regionAnchors({&part, Vec3::Zero()}, region)) nodes.push_back(anchor.rest_W);
+    return [this, nodes = std::move(nodes)] {
+      m_nodes_W = nodes;
+      emit looksChanged();
+    };
+  });
 }
 
 // ---- From the view

@@ -43,6 +43,8 @@ class Authoring : public QObject {
   /// Null while the part is unknown.
   std::shared_ptr<const TriMesh> mesh() const;
   const std::vector<int>& selected() const { return m_picked.triangles; }
+  /// Nodes of a soft part that would carry the selection, m; they come from a worker a moment after it.
+  const std::vector<Vec3>& nodes() const { return m_nodes_W; }
   /// One undo step called `text`; nothing when they are selected already. Triangles ascending.
   void select(const std::vector<int>& triangles, const QString& text);
   void grow();
@@ -113,7 +115,7 @@ class Authoring : public QObject {
   PickMode m_cageMode = PickMode::Click;
   std::shared_ptr<StartSurfaces> m_starts = std::make_shared<StartSurfaces>();
   std::shared_ptr<const CageFollower> m_follower;  ///< of the target's cage; null while it is made
-  LatestJob m_followerJob;
+  LatestJob m_followerJob, m_nodesJob;
   std::optional<Vec2> m_cursor;
   std::weak_ptr<const Model> m_stateOf;
   VecX m_state;

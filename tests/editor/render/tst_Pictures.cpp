@@ -45,6 +45,61 @@ TEST_F(Pictures, dynamicsAndCouplings) {
   expectPicture(draw(words("dynamics,couplings")), "small-dynamics");
 }
 
+TEST_F(Pictures, strokesLieOnTheScreenOrInTheScene) {
+  const auto reddish = [](const Image& image, int x, int y) {
+    const auto p = image.at(x, y);
+    return p[0] > 120 && p[0] > p[1] + 60 && p[0] > p[2] + 60;
+  };
+  Layers layers;
+  Strokes screen;
+  screen.onScreen = true;
+  screen.dotPx = 16;
+  screen.linePx = 6;
+  screen.dots.push_back({Eigen::Vector3f(40, 30, 0), {1, 0, 0, 1}});
+  for (const float x : {100.0f, 160.0f}) screen.lines.push_back({Eigen::Vector3f(x, 20, 0), {1, 0, 0, 1}});
+  layers.strokes = {screen};
+  EXPECT_FALSE(reddish(draw(), 40, 30));
+  const Image onScreen = draw(layers);
+  EXPECT_TRUE(reddish(onScreen, 40, 30)) << "pixels from the top left";
+  EXPECT_TRUE(reddish(onScreen, 130, 20));
+  EXPECT_FALSE(reddish(onScreen, 40, 240 - 30));
+  EXPECT_FALSE(reddish(onScreen, 180, 20));
+
+  // A dot in the middle of the sphere is hidden by it; one before it is not.
+  Vec3 middle = Vec3::Zero();
+  const TriMesh& sphere = *m_model.objects[kSphere].visual.mesh;
+  for (const Vec3& v : sphere.vertices) middle += v / static_cast<double>(sphere.vertices.size());
+  const Vec3 before = middle + 0.3 * (view().eye_W - middle);
+  const auto seen = [&](const Vec3& at, float strength) {
+    Strokes dot;
+    dot.dotPx = 16;
+    dot.hiddenStrength = strength;
+    dot.dots.push_back({at.cast<float>(), {1, 0, 0, 1}});
+    Layers with;
+    with.strokes = {dot};
+    const auto pixel = projected(view(), at, 320, 240);
+    return reddish(draw(with), static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+  };
+  EXPECT_TRUE(seen(before, 0));
+  EXPECT_FALSE(seen(middle, 0));
+  EXPECT_TRUE(seen(middle, 1));
+}
+
+TEST_F(Pictures, anObjectMayHaveAnotherColour) {
+  Layers layers;
+  layers.objects.resize(4);
+  layers.objects[kSphere].color = {0.1f, 0.9f, 0.1f};
+  const Image plain = draw(), green = draw(layers);
+  Vec3 middle = Vec3::Zero();
+  const TriMesh& sphere = *m_model.objects[kSphere].visual.mesh;
+  for (const Vec3& v : sphere.vertices) middle += v / static_cast<double>(sphere.vertices.size());
+  const auto pixel = projected(view(), middle, 320, 240);
+  const auto p = green.at(static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+  EXPECT_GT(p[1], p[0] + 30);
+  EXPECT_GT(p[1], p[2] + 30);
+  EXPECT_GT(compareImages(plain, green).fractionDifferent, 0.005);
+}
+
 TEST_F(Pictures, everythingAtOnce) {
   std::vector<ContactView> contacts;
   contacts.push_back({kTool, kBall, Vec3(0.04, 0.02, 0.04), Vec3(1, 1, 0).normalized(), 0, 5});

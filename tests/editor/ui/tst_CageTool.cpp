@@ -171,7 +171,7 @@ TEST_F(CageToolWindow, theSuggestionIsOneStep) {
   EXPECT_FALSE(document.joint().startProof.has_value());
   press("cages.suggest");
   QTest::mouseClick(child<QPushButton>("cages.stop"), Qt::LeftButton);
-  EXPECT_FALSE(child<QPushButton>("cages.stop")->isEnabled()) << "stopped at once";
+  EXPECT_TRUE(until([this] { return !child<QPushButton>("cages.stop")->isEnabled(); }, 500)) << "stopped at once";
   QTest::qWait(300);
   EXPECT_TRUE(document.joint().cages.empty());
 }
