@@ -36,11 +36,8 @@ class GuiTest : public testing::Test {
     setLanguage(QStringLiteral("en"));
     window = std::make_unique<MainWindow>(
         MainWindow::Parts{document, link, display, selection}, probeGraphics(),
-        [](const std::string& path) -> Result<Scene> {
-          if (path == "missing") return Error{Fault::FileMissing, {path, {}, {}, {}}, {}, {}};
-          return blockScene();
-        },
-        [](const Scene&, const std::string&) -> Result<Done> { return Done{}; });
+        [this](const std::string& path) { return load(path); },
+        [this](const Scene& scene, const std::string& path) { return save(scene, path); });
     window->resize(1280, 800);
     window->show();
     window->activateWindow();  // with no window manager nothing else gives it the focus
@@ -52,6 +49,13 @@ class GuiTest : public testing::Test {
     settle();
   }
   void TearDown() override { setLanguage(QStringLiteral("en")); }
+
+  /// Where scenes come from and go to. Loading runs on a worker.
+  virtual Result<Scene> load(const std::string& path) {
+    if (path == "missing") return Error{Fault::FileMissing, {path, {}, {}, {}}, {}, {}};
+    return blockScene();
+  }
+  virtual Result<Done> save(const Scene&, const std::string&) { return Done{}; }
 
   template <class Condition>
   bool until(Condition holds, int milliseconds = 20000) {
