@@ -331,7 +331,7 @@ void ImportDialog::refreshMarks() {
   const QTreeWidgetItem* item = m_findings->currentItem();
   // Where nothing is chosen, what is wrong in places; a whole shell in orange says little.
   const auto inPlaces = [](const Finding& finding) {
-    return finding.severity == Severity::Blocks && finding.kind != FindingKind::InsideOut && finding.kind != FindingKind::Sheets;
+    return finding.severity == FindingSeverity::Blocks && finding.kind != FindingKind::InsideOut && finding.kind != FindingKind::Sheets;
   };
   for (const Finding& finding : from.found.findings)
     if (item ? item->data(0, Qt::UserRole) == static_cast<int>(finding.kind) : inPlaces(finding))
