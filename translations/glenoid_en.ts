@@ -133,6 +133,239 @@
     </message>
 </context>
 <context>
+    <name>glenoid::ImportDialog</name>
+    <message numerus="yes">
+        <source>%n surface(s) will be added as rigid parts.</source>
+        <translation>
+            <numerusform>%n surface will be added as a rigid part.</numerusform>
+            <numerusform>%n surfaces will be added as rigid parts.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n could not be read.</source>
+        <translation>
+            <numerusform>%n could not be read.</numerusform>
+            <numerusform>%n could not be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are not sound: the joint will not run before that is mended.</source>
+        <translation>
+            <numerusform>%n of them is not sound: the joint will not run before that is mended.</numerusform>
+            <numerusform>%n of them are not sound: the joint will not run before that is mended.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ImportSession</name>
+    <message numerus="yes">
+        <source>Import %n surface(s)</source>
+        <translation>
+            <numerusform>Import %n surface</numerusform>
+            <numerusform>Import %n surfaces</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ImportWords</name>
+    <message numerus="yes">
+        <source>It consists of %n piece(s).</source>
+        <translation>
+            <numerusform>It consists of %n piece.</numerusform>
+            <numerusform>It consists of %n pieces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) belong to no triangle.</source>
+        <translation>
+            <numerusform>%n point belongs to no triangle.</numerusform>
+            <numerusform>%n points belong to no triangle.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) lie on others.</source>
+        <translation>
+            <numerusform>%n point lies on another.</numerusform>
+            <numerusform>%n points lie on others.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) have no area.</source>
+        <translation>
+            <numerusform>%n triangle has no area.</numerusform>
+            <numerusform>%n triangles have no area.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n triangle is there twice.</numerusform>
+            <numerusform>%n triangles are there twice.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s) have three or more triangles.</source>
+        <translation>
+            <numerusform>%n edge has three or more triangles.</numerusform>
+            <numerusform>%n edges have three or more triangles.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) pinch the surface.</source>
+        <translation>
+            <numerusform>%n point pinches the surface.</numerusform>
+            <numerusform>%n points pinch the surface.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) the triangles face contrary ways.</source>
+        <translation>
+            <numerusform>At %n edge the triangles face contrary ways.</numerusform>
+            <numerusform>At %n edges the triangles face contrary ways.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) are inside out.</source>
+        <translation>
+            <numerusform>%n piece is inside out.</numerusform>
+            <numerusform>%n pieces are inside out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s); the longest is %1 mm around.</source>
+        <translation>
+            <numerusform>%n hole, %1 mm around.</numerusform>
+            <numerusform>%n holes; the longest is %1 mm around.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) have no thickness.</source>
+        <translation>
+            <numerusform>%n piece has no thickness.</numerusform>
+            <numerusform>%n pieces have no thickness.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The surface has %n handle(s), as a ring has one.</source>
+        <translation>
+            <numerusform>The surface has %n handle, as a ring has.</numerusform>
+            <numerusform>The surface has %n handles, as a ring has one.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cut each other.</source>
+        <translation>
+            <numerusform>%n pair of triangles cut each other.</numerusform>
+            <numerusform>%n pairs of triangles cut each other.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n polygon(s) were cut into triangles.</source>
+        <translation>
+            <numerusform>%n polygon was cut into triangles.</numerusform>
+            <numerusform>%n polygons were cut into triangles.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle strip(s) were cut into triangles.</source>
+        <translation>
+            <numerusform>%n triangle strip was cut into triangles.</numerusform>
+            <numerusform>%n triangle strips were cut into triangles.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeated point(s) were joined.</source>
+        <translation>
+            <numerusform>%n repeated point was joined.</numerusform>
+            <numerusform>%n repeated points were joined.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) had a transform, which was applied.</source>
+        <translation>
+            <numerusform>%n node had a transform, which was applied.</numerusform>
+            <numerusform>%n nodes had a transform, which was applied.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) were mirrored; their triangles were turned back.</source>
+        <translation>
+            <numerusform>%n node was mirrored; its triangles were turned back.</numerusform>
+            <numerusform>%n nodes were mirrored; their triangles were turned back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) were left out.</source>
+        <translation>
+            <numerusform>%n line was left out.</numerusform>
+            <numerusform>%n lines were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n single point(s) were left out.</source>
+        <translation>
+            <numerusform>%n single point was left out.</numerusform>
+            <numerusform>%n single points were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Normals of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Normals of %n surface were left out.</numerusform>
+            <numerusform>Normals of %n surfaces were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Texture coordinates of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Texture coordinates of %n surface were left out.</numerusform>
+            <numerusform>Texture coordinates of %n surfaces were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Colours of %n surface were left out.</numerusform>
+            <numerusform>Colours of %n surfaces were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n material(s) were left out.</source>
+        <translation>
+            <numerusform>%n material was left out.</numerusform>
+            <numerusform>%n materials were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n animation(s) or bone(s) were left out.</source>
+        <translation>
+            <numerusform>%n animation or bone was left out.</numerusform>
+            <numerusform>%n animations or bones were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n light(s) or camera(s) were left out.</source>
+        <translation>
+            <numerusform>%n light or camera was left out.</numerusform>
+            <numerusform>%n lights or cameras were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n array(s) of values were left out.</source>
+        <translation>
+            <numerusform>%n array of values was left out.</numerusform>
+            <numerusform>%n arrays of values were left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) without triangles were left out.</source>
+        <translation>
+            <numerusform>%n surface without triangles was left out.</numerusform>
+            <numerusform>%n surfaces without triangles were left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::JobsBar</name>
     <message numerus="yes">
         <source>%1 (about %n minute(s) left)</source>

@@ -1443,6 +1443,543 @@
     </message>
 </context>
 <context>
+    <name>glenoid::ImportDialog</name>
+    <message>
+        <source>Import surfaces</source>
+        <translation>Importar superficies</translation>
+    </message>
+    <message>
+        <source>Stop &amp;reading</source>
+        <translation>Dejar de &amp;leer</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importar</translation>
+    </message>
+    <message>
+        <source>Surfaces that arrived</source>
+        <translation>Superficies recibidas</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Superficie</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triángulos</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unidad</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Lado</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Picture of the surface</source>
+        <translation>Imagen de la superficie</translation>
+    </message>
+    <message>
+        <source>Show what it &amp;becomes</source>
+        <translation>Mostrar el &amp;resultado</translation>
+    </message>
+    <message>
+        <source>What was found, and repairs</source>
+        <translation>Lo encontrado y sus reparaciones</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Encontrado</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparación</translation>
+    </message>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>&amp;Unidad del archivo</translation>
+    </message>
+    <message>
+        <source>As here: X forward, Y up, Z to the right</source>
+        <translation>Como aquí: X adelante, Y arriba, Z a la derecha</translation>
+    </message>
+    <message>
+        <source>Atlas or scanner (LPS): Z up, Y backward, right is −X</source>
+        <translation>Atlas o escáner (LPS): Z arriba, Y atrás, la derecha es −X</translation>
+    </message>
+    <message>
+        <source>Scanner (RAS): Z up, Y forward, right is +X</source>
+        <translation>Escáner (RAS): Z arriba, Y adelante, la derecha es +X</translation>
+    </message>
+    <message>
+        <source>Figures that face +Z: Y up, right is −X</source>
+        <translation>Figuras que miran a +Z: Y arriba, la derecha es −X</translation>
+    </message>
+    <message>
+        <source>Z up, X forward, right is −Y</source>
+        <translation>Z arriba, X adelante, la derecha es −Y</translation>
+    </message>
+    <message>
+        <source>A&amp;xes of the file</source>
+        <translation>E&amp;jes del archivo</translation>
+    </message>
+    <message>
+        <source>It is of a &amp;left side: mirror it</source>
+        <translation>Es del lado &amp;izquierdo: reflejarla</translation>
+    </message>
+    <message>
+        <source>Size that results</source>
+        <translation>Tamaño resultante</translation>
+    </message>
+    <message>
+        <source>Unit and axes for &amp;all</source>
+        <translation>Unidad y ejes para &amp;todas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>&amp;Thin is less than</source>
+        <translation>&amp;Delgado es menos de</translation>
+    </message>
+    <message>
+        <source>Shift forward</source>
+        <translation>Desplazamiento hacia delante</translation>
+    </message>
+    <message>
+        <source>Shift up</source>
+        <translation>Desplazamiento hacia arriba</translation>
+    </message>
+    <message>
+        <source>Shift to the side</source>
+        <translation>Desplazamiento hacia el lado</translation>
+    </message>
+    <message>
+        <source>&amp;Centre</source>
+        <translation>&amp;Centrar</translation>
+    </message>
+    <message>
+        <source>Shift of all</source>
+        <translation>Desplazamiento de todas</translation>
+    </message>
+    <message>
+        <source>Nothing is wrong with it.</source>
+        <translation>No tiene ningún defecto.</translation>
+    </message>
+    <message>
+        <source>Files are being read and judged…</source>
+        <translation>Se están leyendo y examinando los archivos…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) will be added as rigid parts.</source>
+        <translation>
+            <numerusform>Se añadirá %n superficie como pieza rígida.</numerusform>
+            <numerusform>Se añadirán %n superficies como piezas rígidas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n could not be read.</source>
+        <translation>
+            <numerusform>%n no se ha podido leer.</numerusform>
+            <numerusform>%n no se han podido leer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them are not sound: the joint will not run before that is mended.</source>
+        <translation>
+            <numerusform>%n de ellas no es correcta: la articulación no funcionará hasta que se repare.</numerusform>
+            <numerusform>%n de ellas no son correctas: la articulación no funcionará hasta que se reparen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ImportSession</name>
+    <message numerus="yes">
+        <source>Import %n surface(s)</source>
+        <translation>
+            <numerusform>Importar %n superficie</numerusform>
+            <numerusform>Importar %n superficies</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ImportWords</name>
+    <message>
+        <source>The file does not say its unit.</source>
+        <translation>El archivo no dice su unidad.</translation>
+    </message>
+    <message>
+        <source>The unit is not clear: look at the size.</source>
+        <translation>La unidad no está clara: compruebe el tamaño.</translation>
+    </message>
+    <message>
+        <source>Both sides of a body are in one surface.</source>
+        <translation>Los dos lados de un cuerpo están en una sola superficie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>It consists of %n piece(s).</source>
+        <translation>
+            <numerusform>Consta de %n trozo.</numerusform>
+            <numerusform>Consta de %n trozos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) belong to no triangle.</source>
+        <translation>
+            <numerusform>%n punto no pertenece a ningún triángulo.</numerusform>
+            <numerusform>%n puntos no pertenecen a ningún triángulo.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) lie on others.</source>
+        <translation>
+            <numerusform>%n punto coincide con otro.</numerusform>
+            <numerusform>%n puntos coinciden con otros.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) have no area.</source>
+        <translation>
+            <numerusform>%n triángulo no tiene área.</numerusform>
+            <numerusform>%n triángulos no tienen área.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) are there twice.</source>
+        <translation>
+            <numerusform>%n triángulo está repetido.</numerusform>
+            <numerusform>%n triángulos están repetidos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n edge(s) have three or more triangles.</source>
+        <translation>
+            <numerusform>%n arista tiene tres o más triángulos.</numerusform>
+            <numerusform>%n aristas tienen tres o más triángulos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) pinch the surface.</source>
+        <translation>
+            <numerusform>%n punto estrangula la superficie.</numerusform>
+            <numerusform>%n puntos estrangulan la superficie.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n edge(s) the triangles face contrary ways.</source>
+        <translation>
+            <numerusform>En %n arista los triángulos miran a lados contrarios.</numerusform>
+            <numerusform>En %n aristas los triángulos miran a lados contrarios.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) are inside out.</source>
+        <translation>
+            <numerusform>%n trozo está del revés.</numerusform>
+            <numerusform>%n trozos están del revés.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s); the longest is %1 mm around.</source>
+        <translation>
+            <numerusform>%n agujero; su contorno mide %1 mm.</numerusform>
+            <numerusform>%n agujeros; el mayor contorno mide %1 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) have no thickness.</source>
+        <translation>
+            <numerusform>%n trozo no tiene espesor.</numerusform>
+            <numerusform>%n trozos no tienen espesor.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The surface has %n handle(s), as a ring has one.</source>
+        <translation>
+            <numerusform>La superficie tiene %n asa, como la de un anillo.</numerusform>
+            <numerusform>La superficie tiene %n asas, como la única de un anillo.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cut each other.</source>
+        <translation>
+            <numerusform>%n par de triángulos se corta.</numerusform>
+            <numerusform>%n pares de triángulos se cortan.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Walls are thin in places; %1 mm is their middle.</source>
+        <translation>Las paredes son delgadas en algunos sitios; la mediana es %1 mm.</translation>
+    </message>
+    <message>
+        <source>Walls are thin: %1 mm in the middle.</source>
+        <translation>Las paredes son delgadas: la mediana es %1 mm.</translation>
+    </message>
+    <message>
+        <source>The surface holds indices or numbers that make no sense.</source>
+        <translation>La superficie contiene índices o números sin sentido.</translation>
+    </message>
+    <message>
+        <source>Keep the side with the lower coordinates</source>
+        <translation>Conservar el lado de coordenadas menores</translation>
+    </message>
+    <message>
+        <source>Drop the small pieces</source>
+        <translation>Quitar los trozos pequeños</translation>
+    </message>
+    <message>
+        <source>Keep the largest piece alone</source>
+        <translation>Conservar solo el trozo mayor</translation>
+    </message>
+    <message>
+        <source>Drop them</source>
+        <translation>Quitarlos</translation>
+    </message>
+    <message>
+        <source>Join them</source>
+        <translation>Unirlos</translation>
+    </message>
+    <message>
+        <source>Remove them without opening cracks</source>
+        <translation>Quitarlos sin abrir grietas</translation>
+    </message>
+    <message>
+        <source>Keep one of each</source>
+        <translation>Conservar uno de cada</translation>
+    </message>
+    <message>
+        <source>Cut the surface apart there, drop the scraps and close what is left open</source>
+        <translation>Separar ahí la superficie, quitar los restos y cerrar lo que quede abierto</translation>
+    </message>
+    <message>
+        <source>Cut the surface apart there</source>
+        <translation>Separar ahí la superficie</translation>
+    </message>
+    <message>
+        <source>Turn triangles so that neighbours face alike</source>
+        <translation>Girar triángulos para que los vecinos miren igual</translation>
+    </message>
+    <message>
+        <source>Turn them outwards</source>
+        <translation>Girarlos hacia fuera</translation>
+    </message>
+    <message>
+        <source>Close them</source>
+        <translation>Cerrarlos</translation>
+    </message>
+    <message>
+        <source>Thicken to %1 mm</source>
+        <translation>Engrosar hasta %1 mm</translation>
+    </message>
+    <message>
+        <source>Cut those triangles out and close the holes</source>
+        <translation>Recortar esos triángulos y cerrar los agujeros</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n polygon(s) were cut into triangles.</source>
+        <translation>
+            <numerusform>%n polígono se ha dividido en triángulos.</numerusform>
+            <numerusform>%n polígonos se han dividido en triángulos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle strip(s) were cut into triangles.</source>
+        <translation>
+            <numerusform>%n tira se ha dividido en triángulos.</numerusform>
+            <numerusform>%n tiras se han dividido en triángulos.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n repeated point(s) were joined.</source>
+        <translation>
+            <numerusform>%n punto repetido se ha unido.</numerusform>
+            <numerusform>%n puntos repetidos se han unido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) had a transform, which was applied.</source>
+        <translation>
+            <numerusform>%n nodo tenía una transformación, que se ha aplicado.</numerusform>
+            <numerusform>%n nodos tenían transformaciones, que se han aplicado.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) were mirrored; their triangles were turned back.</source>
+        <translation>
+            <numerusform>%n nodo estaba reflejado; sus triángulos se han girado.</numerusform>
+            <numerusform>%n nodos estaban reflejados; sus triángulos se han girado.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) were left out.</source>
+        <translation>
+            <numerusform>%n línea se ha omitido.</numerusform>
+            <numerusform>%n líneas se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n single point(s) were left out.</source>
+        <translation>
+            <numerusform>%n punto suelto se ha omitido.</numerusform>
+            <numerusform>%n puntos sueltos se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Normals of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Se han omitido las normales de %n superficie.</numerusform>
+            <numerusform>Se han omitido las normales de %n superficies.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Texture coordinates of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Se han omitido las coordenadas de textura de %n superficie.</numerusform>
+            <numerusform>Se han omitido las coordenadas de textura de %n superficies.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Colours of %n surface(s) were left out.</source>
+        <translation>
+            <numerusform>Se han omitido los colores de %n superficie.</numerusform>
+            <numerusform>Se han omitido los colores de %n superficies.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n material(s) were left out.</source>
+        <translation>
+            <numerusform>%n material se ha omitido.</numerusform>
+            <numerusform>%n materiales se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n animation(s) or bone(s) were left out.</source>
+        <translation>
+            <numerusform>%n animación o hueso de esqueleto se ha omitido.</numerusform>
+            <numerusform>%n animaciones o huesos de esqueleto se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n light(s) or camera(s) were left out.</source>
+        <translation>
+            <numerusform>%n luz o cámara se ha omitido.</numerusform>
+            <numerusform>%n luces o cámaras se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n array(s) of values were left out.</source>
+        <translation>
+            <numerusform>%n lista de valores se ha omitido.</numerusform>
+            <numerusform>%n listas de valores se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n surface(s) without triangles were left out.</source>
+        <translation>
+            <numerusform>%n superficie sin triángulos se ha omitido.</numerusform>
+            <numerusform>%n superficies sin triángulos se han omitido.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file says so.</source>
+        <translation>Lo dice el archivo.</translation>
+    </message>
+    <message>
+        <source>Guessed from the size of such a part (%1 %).</source>
+        <translation>Supuesta por el tamaño de una pieza así (%1 %).</translation>
+    </message>
+    <message>
+        <source>Guessed from the place in a body (%1 %).</source>
+        <translation>Supuesta por el lugar en el cuerpo (%1 %).</translation>
+    </message>
+    <message>
+        <source>Guessed from the size (%1 %).</source>
+        <translation>Supuesta por el tamaño (%1 %).</translation>
+    </message>
+    <message>
+        <source>No unit fits well: choose one.</source>
+        <translation>Ninguna unidad encaja bien: elija una.</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>milímetros</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>micrómetros</translation>
+    </message>
+    <message>
+        <source>units of %1 m</source>
+        <translation>unidades de %1 m</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>ambos</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>desconocido</translation>
+    </message>
+    <message>
+        <source>Being read…</source>
+        <translation>Leyéndose…</translation>
+    </message>
+    <message>
+        <source>Being worked on…</source>
+        <translation>Procesándose…</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Ha fallado</translation>
+    </message>
+    <message>
+        <source>Not closed or not sound yet</source>
+        <translation>Aún no está cerrada o correcta</translation>
+    </message>
+    <message>
+        <source>Sound, but cuts itself</source>
+        <translation>Correcta, pero se corta a sí misma</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Correcta</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::JobSystem</name>
     <message>
         <source>“%1” was dropped: the scene was changed in what it works on. Start it again.</source>
@@ -1988,6 +2525,22 @@
     <message>
         <source>&lt;p&gt;What the file does not hold:&lt;/p&gt;&lt;ul&gt;%1&lt;/ul&gt;</source>
         <translation>&lt;p&gt;Lo que el archivo no contiene:&lt;/p&gt;&lt;ul&gt;%1&lt;/ul&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Import surfaces…</source>
+        <translation>&amp;Importar superficies…</translation>
+    </message>
+    <message>
+        <source>Bring in surface meshes of other programs</source>
+        <translation>Traer mallas de superficie de otros programas</translation>
+    </message>
+    <message>
+        <source>Import surfaces</source>
+        <translation>Importar superficies</translation>
+    </message>
+    <message>
+        <source>Surfaces (%1);;All files (*)</source>
+        <translation>Superficies (%1);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,9 @@ QString Words::finding(const Finding& f, const QString& length) {
     case FindingKind::Sheets: return tr("%n piece(s) have no thickness.", nullptr, n);
     case FindingKind::Handles: return tr("The surface has %n handle(s), as a ring has one.", nullptr, n);
     case FindingKind::SelfIntersections: return tr("%n pair(s) of triangles cut each other.", nullptr, n);
-    case FindingKind::Thin: return tr("Walls are thin: %1 mm in the middle.").arg(length);
+    case FindingKind::Thin:
+      return f.severity == FindingSeverity::Note ? tr("Walls are thin in places; %1 mm is their middle.").arg(length)
+                                                 : tr("Walls are thin: %1 mm in the middle.").arg(length);
     case FindingKind::CannotBeRead: return tr("The surface holds indices or numbers that make no sense.");
   }
   return {};

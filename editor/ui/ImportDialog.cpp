@@ -45,7 +45,7 @@ ImportDialog::ImportDialog(Document& document, const QStringList& files, QWidget
   setObjectName(QStringLiteral("importDialog"));
   setWindowTitle(tr("Import surfaces"));
   setAcceptDrops(true);
-  resize(1100, 720);
+  resize(1280, 760);
   auto* layout = new QVBoxLayout(this);
   auto* top = new QSplitter(Qt::Horizontal);
   auto* left = new QWidget;
