@@ -110,6 +110,8 @@ class SceneReader {
       note(ImportNote::ColoursDropped, mesh.HasVertexColors(0));
       note(ImportNote::AnimationsDropped, mesh.mNumBones + mesh.mNumAnimMeshes);
     }
+    for (unsigned i = 0; i < m_scene.mNumMaterials; ++i)
+      note(ImportNote::MaterialsDropped, m_scene.mMaterials[i]->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME));
     note(ImportNote::AnimationsDropped, m_scene.mNumAnimations);
     note(ImportNote::OthersDropped, m_scene.mNumLights + m_scene.mNumCameras);
   }

@@ -49,6 +49,13 @@ TEST(ImportSurfaces, whatIsLostIsSaid) {
   EXPECT_GT(countOf(*obj, ImportNote::TexturesDropped), 0);
   EXPECT_EQ(countOf(*obj, ImportNote::LinesDropped), 1);
   EXPECT_EQ(countOf(*obj, ImportNote::PointsDropped), 1);
+  EXPECT_EQ(countOf(*obj, ImportNote::MaterialsDropped), 0);  // its file of materials is not there
+  folder.put("nowhere.mtl", "newmtl bone\nKd 1 1 0.9\n");
+  const auto painted = importSurfaces(folder.put("b.obj", samples::obj() + "usemtl bone\nf 1 3 2\n"));
+  ASSERT_TRUE(painted.ok()) << toLogLine(painted.error());
+  EXPECT_GT(countOf(*painted, ImportNote::MaterialsDropped), 0);
+  ASSERT_EQ(painted->surfaces.size(), 1u) << "two materials are still one surface";
+  EXPECT_EQ(painted->surfaces[0].mesh.triangles.size(), 13u);
   const auto stl = importSurfaces(folder.put("a.stl", samples::stlBinary()));
   ASSERT_TRUE(stl.ok());
   EXPECT_EQ(countOf(*stl, ImportNote::PointsJoined), 28);  // 36 corners, 8 places
