@@ -48,7 +48,9 @@ void SceneView::requestDraw() {
   constexpr double kSlowMs = 25;
   m_coarse = m_paintMs > kSlowMs || (m_coarse && m_paintMs > 0.4 * kSlowMs);
   if (m_coarse) m_fine.start();
-  if (!m_draw.isActive()) m_draw.start(static_cast<int>(std::min(m_paintMs, 200.0)));
+  // What follows the author's hand comes first; else the window has as much time as drawing takes.
+  const double rest = m_gesture == Gesture::Author ? 0.25 * m_paintMs : m_paintMs;
+  if (!m_draw.isActive()) m_draw.start(static_cast<int>(std::min(rest, 200.0)));
 }
 
 void SceneView::releaseRenderer() {

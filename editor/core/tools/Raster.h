@@ -35,17 +35,27 @@ inline Slope slopeOf(const Corner& a, const Corner& b, const Corner& c) {
   return s;
 }
 
+/// First and last pixel whose middle is not below `low` or above `high`; rounding by hand, since without SSE 4.1 ceil and
+/// floor are calls that cost more than the small triangle.
+inline int firstPixel(float low) {
+  const float t = std::max(low - 0.5f, 0.0f);
+  const int i = static_cast<int>(t);
+  return i + (static_cast<float>(i) < t);
+}
+inline int lastPixel(float high, int size) {
+  const float t = std::min(high - 0.5f, static_cast<float>(size - 1));
+  const int i = static_cast<int>(t);
+  return i - (static_cast<float>(i) > t);
+}
+
 /// Calls visit(x, y, 1 / depth) for every pixel whose middle lies in the triangle.
 template <class Visit>
 void fill(const Corner& a, const Corner& b, const Corner& c, const Slope& slope, int width, int height, Visit&& visit) {
   if (slope.area == 0) return;
-  const auto [lowX, highX] = std::minmax({a.x, b.x, c.x});
-  const auto [lowY, highY] = std::minmax({a.y, b.y, c.y});
+  const float lowX = std::min(a.x, std::min(b.x, c.x)), highX = std::max(a.x, std::max(b.x, c.x));
+  const float lowY = std::min(a.y, std::min(b.y, c.y)), highY = std::max(a.y, std::max(b.y, c.y));
   if (highX < 0 || highY < 0 || lowX > static_cast<float>(width) || lowY > static_cast<float>(height)) return;
-  const int x0 = std::max(0, static_cast<int>(std::ceil(lowX - 0.5f)));
-  const int x1 = std::min(width - 1, static_cast<int>(std::floor(highX - 0.5f)));
-  const int y0 = std::max(0, static_cast<int>(std::ceil(lowY - 0.5f)));
-  const int y1 = std::min(height - 1, static_cast<int>(std::floor(highY - 0.5f)));
+  const int x0 = firstPixel(lowX), x1 = lastPixel(highX, width), y0 = firstPixel(lowY), y1 = lastPixel(highY, height);
   const float sign = slope.area > 0 ? 1.0f : -1.0f;
   const auto side = [sign](const Corner& p, const Corner& q, float x, float y) {
     return sign * ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x));

@@ -60,8 +60,10 @@ ScreenMap::ScreenMap(const Viewport& viewport, const TriMesh& surface,
   }
   for (std::size_t t = 0; t < count; ++t) {
     if (middles[t].inverse <= 0) continue;
-    const int x = static_cast<int>(std::floor(m_centres[t].x())), y = static_cast<int>(std::floor(m_centres[t].y()));
-    if (x < 0 || y < 0 || x >= m_width || y >= m_height) continue;
+    const Eigen::Vector2f& centre = m_centres[t];
+    if (!(centre.x() >= 0 && centre.y() >= 0 && centre.x() < static_cast<float>(m_width) && centre.y() < static_cast<float>(m_height)))
+      continue;
+    const int x = static_cast<int>(centre.x()), y = static_cast<int>(centre.y());
     const float nearest = std::max(m_own[x + y * m_width], m_others[x + y * m_width]);
     m_seen[t] = middles[t].inverse + middles[t].slack >= nearest;
   }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <iostream>
 #include <map>
 
@@ -122,23 +122,29 @@ TEST(ScreenMap, halfAMillionTrianglesWithinFiftyMilliseconds) {
   viewport.height = 800;
   const TriMesh ball = sphere(8, 0.03);
   ASSERT_EQ(ball.triangles.size(), 524288u);
+  // Thread CPU time: other programs of the machine shall not decide. On an idle one it is what a person waits.
+  const auto timed = [](auto&& run) {
+    const auto now = [] {
+      timespec time{};
+      clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+      return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+    };
+    const double before = now();
+    run();
+    return now() - before;
+  };
   double best = 1e9;
   for (int i = 0; i < 5; ++i) {
-    const auto before = std::chrono::steady_clock::now();
-    const ScreenMap map(viewport, ball, {});
-    ASSERT_GE(map.triangleAt(Vec2(640, 400), false), 0);
-    best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+    best = std::min(best, timed([&] {
+      const ScreenMap map(viewport, ball, {});
+      EXPECT_GE(map.triangleAt(Vec2(640, 400), false), 0);
+    }));
   }
   // One that is painted: the map once when the button goes down, then each movement.
   SelectTool tool;
   tool.setTarget(std::make_shared<TriMesh>(ball), {});
   tool.setRadius(40);
   double press = 1e9, move = 1e9;
-  const auto timed = [](auto&& run) {
-    const auto before = std::chrono::steady_clock::now();
-    run();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
-  };
   for (int i = 0; i < 5; ++i) {
     viewport.view.eye_W.x() += 1e-6;  // another view: the map is made anew
     press = std::min(press, timed([&] { tool.press(viewport, {Vec2(600, 400)}, {}); }));
@@ -146,7 +152,6 @@ TEST(ScreenMap, halfAMillionTrianglesWithinFiftyMilliseconds) {
     EXPECT_GT(tool.release({Vec2(640, 400)}).size(), 1000u);
   }
   std::cout << "524288 triangles: map " << best << " ms, press " << press << " ms, move " << move << " ms\n";
-  // The best of several: the machine that runs tests does other things, too.
   EXPECT_LT(best, 50);
   EXPECT_LT(press, 50);
   EXPECT_LT(move, 25);
