@@ -2736,10 +2736,6 @@
         <translation>El acoplamiento «%1» entre «%2» y «%3» solo obtiene este número de muelles: %4. Necesita cuatro que no estén en una recta. Amplíe su región o use celdas más pequeñas.</translation>
     </message>
     <message>
-        <source>“%1” is bonded to “%2” over %3 % of its surface, and the two are still tested for contact. Switching that off saves time and spares contacts that pull against the bond.</source>
-        <translation>«%1» está unido a «%2» en el %3 % de su superficie, y aún se busca contacto entre los dos. Desactivarlo ahorra tiempo y evita contactos que tiran contra la unión.</translation>
-    </message>
-    <message>
         <source>Nothing holds “%1”: it has no coupling and will fall. The nearest part is %2 mm away.</source>
         <translation>Nada sujeta «%1»: no tiene acoplamiento y caerá. La parte más cercana está a %2 mm.</translation>
     </message>
@@ -2846,6 +2842,14 @@
     <message>
         <source>Remove the cage around “%1”</source>
         <translation>Quitar la jaula alrededor de «%1»</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are bonded over a large surface (%3 mm²) and still tested for contact. Switching that off saves time and spares contacts that pull against the bond.</source>
+        <translation>«%1» y «%2» están unidos en una superficie grande (%3 mm²) y aún se busca contacto entre ellos. Desactivarlo ahorra tiempo y evita contactos que tiran contra la unión.</translation>
+    </message>
+    <message>
+        <source>Repair the %2 of “%1”</source>
+        <translation>Reparar la %2 de «%1»</translation>
     </message>
 </context>
 <context>

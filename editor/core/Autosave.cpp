@@ -20,6 +20,10 @@ Autosave::Autosave(Document& document, const QString& root, QObject* parent)
   m_latest.setInterval(kLatestMs);
   begin();
   connect(&document, &Document::changed, this, &Autosave::onChanged);
+  // A scene that was recovered lies nowhere: it is kept again at once, without waiting for an edit.
+  connect(&document.undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
+    if (!clean) touch();
+  });
   connect(&document, &Document::savedTo, this, [this] {
     m_quiet.stop();
     m_latest.stop();
@@ -48,6 +52,10 @@ void Autosave::onChanged(const ChangeSet& changes) {
     begin();
     return;
   }
+  touch();
+}
+
+void Autosave::touch() {
   m_changed = true;
   m_quiet.start();
   if (!m_latest.isActive()) m_latest.start();

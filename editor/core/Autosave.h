@@ -29,6 +29,7 @@ class Autosave : public QObject {
 
  private:
   void onChanged(const ChangeSet& changes);
+  void touch();
   void write();
   void begin();
 

@@ -110,8 +110,9 @@ QString ProblemSentences::what() const {
       return filled(tr("The coupling “%1” between “%2” and “%3” gets only this many springs: %4. It needs four that do not lie "
                        "on a line. Enlarge its region, or use smaller cells."), {coupling, part, other, count});
     case ProblemKind::BondedCollision:
-      return filled(tr("“%1” is bonded to “%2” over %3 % of its surface, and the two are still tested for contact. Switching "
-                       "that off saves time and spares contacts that pull against the bond."), {part, other, percent(p.figure)});
+      return filled(tr("“%1” and “%2” are bonded over a large surface (%3 mm²) and still tested for contact. Switching that off "
+                       "saves time and spares contacts that pull against the bond."),
+                    {part, other, QLocale().toString(1e6 * p.figure, 'f', 0)});
     case ProblemKind::PartLoose:
       return std::isfinite(p.figure)
                  ? filled(tr("Nothing holds “%1”: it has no coupling and will fall. The nearest part is %2 mm away."),
@@ -150,6 +151,9 @@ QString ProblemSentences::fix() const {
   switch (p.kind) {
     case ProblemKind::UnitOfJoint: return filled(tr("Multiply all lengths by %1"), {number(p.wanted)});
     case ProblemKind::UnitOfPart: return filled(tr("Multiply the lengths of “%1” by %2"), {part, number(p.wanted)});
+    case ProblemKind::SurfaceOpen:
+    case ProblemKind::SurfaceTangled:
+    case ProblemKind::SurfaceCutsItself: return filled(tr("Repair the %2 of “%1”"), {part, surface()});
     case ProblemKind::SurfaceInwards: return filled(tr("Turn the %2 of “%1” around"), {part, surface()});
     case ProblemKind::InvertedTetrahedra: return filled(tr("Turn the tetrahedra of “%1” around"), {part});
     case ProblemKind::NoMaterial: return filled(tr("Give “%1” the material “%2”"), {part, materialName(p.other)});
@@ -163,9 +167,6 @@ QString ProblemSentences::fix() const {
     case ProblemKind::ProofMissing: return tr("Record that the start is free of overlap");
     case ProblemKind::ProofStale: return tr("Check the start again");
     case ProblemKind::NoSurface:
-    case ProblemKind::SurfaceOpen:
-    case ProblemKind::SurfaceTangled:
-    case ProblemKind::SurfaceCutsItself:
     case ProblemKind::NoVolume:
     case ProblemKind::FlatTetrahedra:
     case ProblemKind::PartLoose:

@@ -2,26 +2,16 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "simcore/check/CheckParts.h"
 #include "simcore/coupling/Islands.h"
 #include "simcore/coupling/Springs.h"
+#include "simcore/scene/ProposeExclusions.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::check {
 namespace {
-
-/// Two parts that are joined over more of the smaller one's surface than this rub against each other for nothing.
-constexpr double kLargeBond = 0.25;
-
-double areaOfSurface(const TriMesh& mesh) {
-  double area = 0;
-  for (const auto& t : mesh.triangles)
-    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
-  return area;
-}
 
 bool regionFits(const Part& part, const Region& region) {
   const auto& mesh = region.surface == SurfaceKind::Visual ? part.visual : part.collision;
@@ -29,12 +19,6 @@ bool regionFits(const Part& part, const Region& region) {
   const long size = static_cast<long>(mesh->triangles.size());
   return std::all_of(region.triangles.begin(), region.triangles.end(), [&](const TriangleRun& run) {
     return run.first >= 0 && run.count > 0 && static_cast<long>(run.first) + run.count <= size;
-  });
-}
-
-bool isExcluded(const Joint& joint, const std::string& a, const std::string& b) {
-  return std::any_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
-    return (e.partA == a && e.partB == b) || (e.partA == b && e.partB == a);
   });
 }
 
@@ -59,7 +43,6 @@ void checkCouplings(Work& work) {
   const Joint& joint = work.joint;
   std::vector<CoupledPart> parts;
   for (const Part& part : joint.parts) parts.push_back({&part, Vec3::Zero()});
-  std::map<std::pair<int, int>, double> bonded;  // m², by parts, the lower index first
   int least = std::numeric_limits<int>::max();
   work.report.couplings = static_cast<int>(joint.couplings.size());
   for (std::size_t c = 0; c < joint.couplings.size() && work.goesOn(); ++c) {
@@ -78,7 +61,6 @@ void checkCouplings(Work& work) {
     int count = 0;
     if (springs) {
       count = static_cast<int>(springs->size());
-      bonded[std::minmax(a, b)] += areaOf(joint.parts[a], *region);
     } else {
       if (!springs.error().arguments.empty()) count = std::atoi(springs.error().arguments[0].c_str());
       Problem& problem = work.add(ProblemKind::TooFewSprings, Severity::Error, coupling.partA);
@@ -90,15 +72,11 @@ void checkCouplings(Work& work) {
     least = std::min(least, count);
   }
   work.report.springsMin = least == std::numeric_limits<int>::max() ? 0 : least;
-  for (const auto& [pair, area] : bonded) {
-    const Part &a = joint.parts[pair.first], &b = joint.parts[pair.second];
-    if (isExcluded(joint, a.id, b.id)) continue;
-    const double areaA = areaOfSurface(*a.visual), areaB = areaOfSurface(*b.visual);
-    const double share = area / std::min(areaA, areaB);
-    if (share < kLargeBond) continue;
-    Problem& problem = work.add(ProblemKind::BondedCollision, Severity::Note, areaA <= areaB ? a.id : b.id);
-    problem.other = areaA <= areaB ? b.id : a.id;
-    problem.figure = std::min(share, 1.0);
+  std::vector<std::size_t> kept;
+  for (const ExclusionProposal& proposal : proposeExclusions(soundOnly(work, kept))) {
+    Problem& problem = work.add(ProblemKind::BondedCollision, Severity::Note, proposal.partA);
+    problem.other = proposal.partB;
+    problem.figure = proposal.bonded;
   }
 }
 

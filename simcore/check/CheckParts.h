@@ -34,6 +34,9 @@ struct Work {
 /// A surface that can be looked at: there, with indices inside and numbers that are finite.
 bool isSound(const std::shared_ptr<const TriMesh>& mesh);
 
+/// The joint with those parts alone that can be used, so that nothing trips over a broken one; `kept`: which they are.
+Joint soundOnly(const Work& work, std::vector<std::size_t>& kept);
+
 void checkSurface(Work& work, const SurfaceFindings& findings);
 void checkVolume(Work& work, std::size_t part);
 void checkMaterials(Work& work, const Part& part);

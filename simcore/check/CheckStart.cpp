@@ -42,27 +42,6 @@ void checkCage(Work& work, const Part& part, const std::vector<Vec3>& nodes) {
   problem.wanted = usableWay(work.joint, *cage);
 }
 
-/// The joint with those parts alone that can collide, so that nothing below trips over a broken one.
-Joint soundOnly(const Work& work, std::vector<std::size_t>& kept) {
-  Joint sound = work.joint;
-  sound.parts.clear();
-  for (std::size_t i = 0; i < work.joint.parts.size(); ++i) {
-    if (!work.usable[i]) continue;
-    sound.parts.push_back(work.joint.parts[i]);
-    kept.push_back(i);
-  }
-  std::erase_if(sound.couplings, [&](const Coupling& coupling) {
-    const int a = findPart(sound, coupling.partA), b = findPart(sound, coupling.partB);
-    const Region* region = a < 0 || b < 0 ? nullptr : findRegion(sound.parts[a], coupling.regionA);
-    if (!region) return true;
-    const auto& mesh = region->surface == SurfaceKind::Visual ? sound.parts[a].visual : sound.parts[a].collision;
-    return std::any_of(region->triangles.begin(), region->triangles.end(), [&](const TriangleRun& run) {
-      return run.first < 0 || static_cast<std::size_t>(run.first) + run.count > mesh->triangles.size();
-    });
-  });
-  return sound;
-}
-
 /// Vertices of a surface that a triangle outside of the skipped ones uses.
 std::vector<int> comparedVertices(const TriMesh& mesh, const std::vector<char>& skip) {
   std::vector<char> used(mesh.vertices.size(), 0);
@@ -171,6 +150,26 @@ class StartComparison {
 };
 
 }  // namespace
+
+Joint soundOnly(const Work& work, std::vector<std::size_t>& kept) {
+  Joint sound = work.joint;
+  sound.parts.clear();
+  for (std::size_t i = 0; i < work.joint.parts.size(); ++i) {
+    if (!work.usable[i]) continue;
+    sound.parts.push_back(work.joint.parts[i]);
+    kept.push_back(i);
+  }
+  std::erase_if(sound.couplings, [&](const Coupling& coupling) {
+    const int a = findPart(sound, coupling.partA), b = findPart(sound, coupling.partB);
+    const Region* region = a < 0 || b < 0 ? nullptr : findRegion(sound.parts[a], coupling.regionA);
+    if (!region) return true;
+    const auto& mesh = region->surface == SurfaceKind::Visual ? sound.parts[a].visual : sound.parts[a].collision;
+    return std::any_of(region->triangles.begin(), region->triangles.end(), [&](const TriangleRun& run) {
+      return run.first < 0 || static_cast<std::size_t>(run.first) + run.count > mesh->triangles.size();
+    });
+  });
+  return sound;
+}
 
 CrushedTets crushedTets(const TetMesh& mesh, const std::vector<Vec3>& start_W) {
   CrushedTets crushed;

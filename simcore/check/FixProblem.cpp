@@ -13,6 +13,8 @@
 #include "simcore/coupling/Springs.h"
 #include "simcore/file/Vtk.h"
 #include "simcore/mesh/Cleanup.h"
+#include "simcore/mesh/MeshHealth.h"
+#include "simcore/repair/RepairStep.h"
 
 namespace glenoid {
 namespace {
@@ -32,6 +34,48 @@ Result<Joint> turnSurface(Joint joint, const Problem& problem) {
   if (!mesh) return noLonger(problem);
   const bool both = part.visual == part.collision;
   mesh = std::make_shared<const TriMesh>(reversed(*mesh));  // triangles keep their numbers, regions stay
+  if (both) part.visual = part.collision = mesh;
+  return joint;
+}
+
+/// Whether the triangles that regions name are still what they were.
+bool keepsRegions(const Part& part, SurfaceKind kind, const TriMesh& before, const TriMesh& after) {
+  const auto corner = [](const TriMesh& mesh, int triangle, int k) { return mesh.vertices[mesh.triangles[triangle][k]]; };
+  for (const Region& region : part.regions) {
+    if (region.surface != kind) continue;
+    for (const int triangle : trianglesOf(region)) {
+      if (triangle >= static_cast<int>(after.triangles.size()) || triangle >= static_cast<int>(before.triangles.size())) return false;
+      for (int k = 0; k < 3; ++k)
+        if (corner(before, triangle, k) != corner(after, triangle, k)) return false;
+    }
+  }
+  return true;
+}
+
+/// Closes holes, drops what has no area, splits what is no manifold, cuts out where it cuts itself: as on import, in that
+/// order. Not where the surface does not become sound by it, or a region would come to lie elsewhere.
+Result<Joint> repairSurface(Joint joint, const Problem& problem) {
+  const int index = findPart(joint, problem.part);
+  if (index < 0 || !problem.surface) return noLonger(problem);
+  Part& part = joint.parts[index];
+  auto& mesh = problem.surface == SurfaceKind::Visual ? part.visual : part.collision;
+  if (!mesh) return noLonger(problem);
+  std::vector<RepairStep> steps;
+  for (const RepairKind kind : {RepairKind::DropDegenerate, RepairKind::DropDuplicates, RepairKind::SplitNonManifold, RepairKind::Orient,
+                                RepairKind::RemoveSelfIntersections, RepairKind::FillHoles, RepairKind::Outwards}) {
+    if (kind == RepairKind::RemoveSelfIntersections && problem.kind != ProblemKind::SurfaceCutsItself) continue;
+    RepairStep step;
+    step.kind = kind;
+    steps.push_back(step);
+  }
+  auto repaired = repair(*mesh, steps);
+  if (!repaired) return repaired.error();
+  if (!healthOf(repaired->mesh).healthy() || !keepsRegions(part, *problem.surface, *mesh, repaired->mesh)) return noHelp(problem);
+  const bool both = part.visual == part.collision;
+  if (both)
+    for (const Region& region : part.regions)
+      if (region.surface != *problem.surface && !region.triangles.empty()) return noHelp(problem);
+  mesh = std::make_shared<const TriMesh>(std::move(repaired->mesh));
   if (both) part.visual = part.collision = mesh;
   return joint;
 }
@@ -117,8 +161,9 @@ Result<Joint> growRegion(Joint joint, const Problem& problem) {
 
 Result<Joint> excludePair(Joint joint, const Problem& problem) {
   if (findPart(joint, problem.part) < 0 || findPart(joint, problem.other) < 0) return noLonger(problem);
-  const int percent = static_cast<int>(std::lround(100 * problem.figure));
-  joint.exclusions.push_back({problem.part, problem.other, "Bonded over " + std::to_string(percent) + " % of the surface."});
+  const long area = std::lround(1e6 * problem.figure);
+  joint.exclusions.push_back({problem.part, problem.other,
+                              "bonded over " + std::to_string(area) + " mm²: couplings hold the two together"});
   return joint;
 }
 
@@ -166,6 +211,8 @@ bool canFix(const Problem& problem) {
   switch (problem.kind) {
     case ProblemKind::UnitOfJoint:
     case ProblemKind::UnitOfPart:
+    case ProblemKind::SurfaceOpen:
+    case ProblemKind::SurfaceTangled:
     case ProblemKind::SurfaceInwards:
     case ProblemKind::InvertedTetrahedra:
     case ProblemKind::CouplingBroken:
@@ -178,10 +225,8 @@ bool canFix(const Problem& problem) {
     case ProblemKind::Overlap:
     case ProblemKind::Swallowed: return !problem.parts.empty();
     case ProblemKind::NoMaterial: return !problem.other.empty();
+    case ProblemKind::SurfaceCutsItself: return problem.surface == SurfaceKind::Collision;
     case ProblemKind::NoSurface:
-    case ProblemKind::SurfaceOpen:
-    case ProblemKind::SurfaceTangled:
-    case ProblemKind::SurfaceCutsItself:
     case ProblemKind::NoVolume:
     case ProblemKind::FlatTetrahedra:
     case ProblemKind::PartLoose:
@@ -197,6 +242,9 @@ Result<Joint> fixProblem(const Joint& joint, const Problem& problem, const FixPr
     case ProblemKind::UnitOfPart:
       if (findPart(joint, problem.part) < 0) return noLonger(problem);
       return withScaledPart(joint, problem.part, problem.wanted);
+    case ProblemKind::SurfaceOpen:
+    case ProblemKind::SurfaceTangled:
+    case ProblemKind::SurfaceCutsItself: return repairSurface(joint, problem);
     case ProblemKind::SurfaceInwards: return turnSurface(joint, problem);
     case ProblemKind::InvertedTetrahedra: return turnTetrahedra(joint, problem);
     case ProblemKind::NoMaterial: return giveMaterial(joint, problem);

@@ -25,7 +25,7 @@ enum class ProblemKind {
   NoMaterial,          ///< material: the unknown id, empty: none at all; other: id of one that would do, may be empty
   CouplingBroken,      ///< names a part or a region that is not there
   TooFewSprings,       ///< count: springs found
-  BondedCollision,     ///< figure: share of the smaller part's surface that is bonded
+  BondedCollision,     ///< figure: bonded area, m²
   PartLoose,           ///< nothing holds it; figure: distance of the nearest other part, m; infinite when alone
   IslandLoose,         ///< parts coupled to each other and to nothing that stays; parts: which
   CageUnusable,        ///< `error` says why

@@ -137,6 +137,14 @@ TEST_F(AutosaveTest, anotherSceneBeginsAnotherSession) {
   EXPECT_EQ(QDir(root()).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 2);
 }
 
+TEST_F(AutosaveTest, aSceneThatWasRecoveredIsKeptWithoutWaitingForAnEdit) {
+  auto autosave = std::make_unique<Autosave>(document, root());
+  document.openUnsaved(Scene(document.scene()), "/somewhere/block.scenario.json");
+  EXPECT_FALSE(document.undoStack().isClean());
+  ASSERT_TRUE(until([&] { return autosave->isSafe(); }, 5000));
+  EXPECT_EQ(generations(onlySession()).size(), 1u);
+}
+
 TEST_F(AutosaveTest, whatIsNotReadyToBeSavedIsKeptToo) {
   auto autosave = std::make_unique<Autosave>(document, root());
   Joint broken = document.joint();

@@ -9,9 +9,10 @@
 #include "editor/core/AuthorEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/SameScene.h"
-#include "simcore/file/AtomicWrite.h"
+#include "simcore/file/Json.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/ScenarioFile.h"
+#include "simcore/scene/ScenarioJson.h"
 #include "tests/scenes/BlockScenes.h"
 #include "tests/simcore/check/Faults.h"
 #include "tests/simcore/file/TemporaryFolder.h"
@@ -38,7 +39,7 @@ class Editor {
  public:
   Editor(Document& document, unsigned seed) : m_document(document), m_random(seed) {}
 
-  static constexpr int kKinds = 22;
+  static constexpr int kKinds = 32;
   bool step(int kind) {
     const int before = m_document.undoStack().index();
     wish(kind);
@@ -56,6 +57,16 @@ class Editor {
     for (const Part& each : joint().parts)
       if (each.kind == PartKind::Soft) list.push_back(&each);
     return list.empty() ? nullptr : list[draw(static_cast<int>(list.size()))];
+  }
+
+  std::vector<int> triangles() {  // all surfaces here have twelve or more
+    const int first = draw(8);
+    return {first, first + 1, first + 3};
+  }
+  std::pair<std::string, const Region*> anyRegion() {
+    const Part& chosen = part();
+    if (chosen.regions.empty()) return {chosen.id, nullptr};
+    return {chosen.id, &chosen.regions[draw(static_cast<int>(chosen.regions.size()))]};
   }
 
   void wish(int kind) {
@@ -179,6 +190,33 @@ class Editor {
         }
         break;
       }
+      case 22: addRegion(m_document, part().id, QString::fromStdString(fresh("Patch ")), SurfaceKind::Collision, triangles()); break;
+      case 23:
+        if (const auto [owner, region] = anyRegion(); region) setRegion(m_document, owner, region->id, region->surface, triangles());
+        break;
+      case 24:
+        if (const auto [owner, region] = anyRegion(); region)
+          renameRegion(m_document, owner, region->id, QString::fromStdString(fresh("Spot ")));
+        break;
+      case 25:
+        if (const auto [owner, region] = anyRegion(); region) removeRegion(m_document, owner, region->id);
+        break;
+      case 26: addCoupling(m_document, {part().id, part().id, {}, SurfaceKind::Visual, triangles(), number(1e6, 1e9), 1e-3, {}}); break;
+      case 27:
+        if (!joint().couplings.empty()) removeCoupling(m_document, joint().couplings[draw(static_cast<int>(joint().couplings.size()))].id);
+        break;
+      case 28:
+        if (!joint().couplings.empty())
+          setCouplingReason(m_document, joint().couplings[draw(static_cast<int>(joint().couplings.size()))].id,
+                            QString::fromStdString(fresh("because ")));
+        break;
+      case 29:
+        if (!joint().couplings.empty())
+          setCouplingDamping(m_document, joint().couplings[draw(static_cast<int>(joint().couplings.size()))].id, number(1e-4, 1e-2));
+        m_document.endGesture();
+        break;
+      case 30: ownMaterial(m_document, part().id); break;
+      case 31: setStart(m_document, {}, StartProof{startHash(joint()), draw(9), 0, 0, 1}, QStringLiteral("start")); break;
     }
   }
 
@@ -196,36 +234,43 @@ TEST_P(Undo, ofEverythingGivesTheSameBytesAndRedoToo) {
   document.open({soundJoint(), scenario, nullptr}, "a");
   Editor editor(document, GetParam());
   std::mt19937 order(GetParam() + 1000);
-  std::vector<Bytes> states{bytesOf(document)};
-  std::vector<int> made(Editor::kKinds, 0);
-  for (int i = 0; i < 60; ++i) {
+  // Between the ends the joint's hash, which is over the text of joint.json and every mesh, stands for the files.
+  const auto stateOf = [&document] {
+    const auto good = checkJoint(document.joint(), {});
+    EXPECT_TRUE(good.ok()) << toLogLine(good.error());
+    return jointHash(document.joint()) + toText(scene_json::fromScenario(document.scenario()));
+  };
+  const Bytes first = bytesOf(document);
+  std::vector<std::string> states{stateOf()};
+  for (int i = 0; i < 70; ++i) {
     const int kind = std::uniform_int_distribution<int>(0, Editor::kKinds - 1)(order);
     const int before = document.undoStack().index();
     if (!editor.step(kind)) continue;
-    ++made[kind];
     ASSERT_EQ(document.undoStack().index(), before + 1) << "one wish is one step, kind " << kind;
-    states.push_back(bytesOf(document));
+    states.push_back(stateOf());
     if (HasFailure()) FAIL() << "kind " << kind << " made a joint that cannot be saved";
     if (std::uniform_int_distribution<int>(0, 9)(order) == 0) {  // back and forth on the way
       document.undoStack().undo();
       document.undoStack().redo();
     }
   }
+  const Bytes last = bytesOf(document);
   ASSERT_GT(states.size(), 30u);
   ASSERT_EQ(document.undoStack().count(), static_cast<int>(states.size()) - 1);
-  const std::string path = "saved on the way";
-  document.saved(QString::fromStdString(path));
+  document.saved(QStringLiteral("saved on the way"));
   EXPECT_TRUE(document.undoStack().isClean());
   for (int i = document.undoStack().count() - 1; i >= 0; --i) {
     document.undoStack().undo();
-    ASSERT_EQ(bytesOf(document), states[i]) << "after undoing step " << i << ": " << document.undoStack().redoText().toStdString();
+    ASSERT_EQ(stateOf(), states[i]) << "after undoing step " << i << ": " << document.undoStack().redoText().toStdString();
   }
   EXPECT_FALSE(document.undoStack().canUndo());
+  EXPECT_EQ(bytesOf(document), first);
   for (std::size_t i = 1; i < states.size(); ++i) {
     document.undoStack().redo();
-    ASSERT_EQ(bytesOf(document), states[i]) << "after redoing step " << i;
+    ASSERT_EQ(stateOf(), states[i]) << "after redoing step " << i;
   }
   EXPECT_FALSE(document.undoStack().canRedo());
+  EXPECT_EQ(bytesOf(document), last);
   EXPECT_TRUE(document.undoStack().isClean()) << "the step that was saved is known across undo";
 }
 
@@ -238,7 +283,7 @@ TEST(UndoKinds, everyKindOfEditWasMadeByTheSeedsAbove) {
     document.open({soundJoint(), scenes::figure4Scenario(), nullptr}, "a");
     Editor editor(document, seed);
     std::mt19937 order(seed + 1000);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 70; ++i) {
       const int kind = std::uniform_int_distribution<int>(0, Editor::kKinds - 1)(order);
       made[kind] += editor.step(kind);
     }
