@@ -60,8 +60,8 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     layers = std::move(*chosen);
   }
   Box3 box = sceneBounds(model, state.q);
+  int only = -1;
   if (!wishes.part.empty()) {
-    int only = -1;
     for (std::size_t i = 0; i < model.objects.size(); ++i) {
       const SceneObject& object = model.objects[i];
       if (object.id == wishes.part || (object.number > 0 && std::to_string(object.number) == wishes.part))
@@ -69,18 +69,21 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     }
     if (only < 0) return unknown(wishes.part, "part");
     layers.objects.assign(model.objects.size(), ObjectLook{});
-    for (std::size_t i = 0; i < layers.objects.size(); ++i) layers.objects[i].visible = static_cast<int>(i) == only;
+    // A cage is seen among what it keeps its part from.
+    for (std::size_t i = 0; i < layers.objects.size() && *sheet != Sheet::Cage; ++i) layers.objects[i].visible = static_cast<int>(i) == only;
     box = boxOf(model.objects[only], state.q, layers.dynamics || *sheet == Sheet::Meshes);
   }
-  const std::vector<Layers> panels = panelsOf(*sheet, model, layers);
+  const std::vector<Panel> panels = panelsOf(*sheet, model, layers, only < 0 ? std::string() : model.objects[only].id);
   if (panels.empty()) return usageError("there is nothing to show on this sheet");
   const int width = std::max(wishes.width / static_cast<int>(panels.size()), 1);
   const double aspect = static_cast<double>(width) / wishes.height;
   const Result<View> view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
   if (!view) return view.error();
   std::vector<Image> images;
-  for (const Layers& panel : panels) {
-    Result<Image> image = renderPicture(model, state, *view, panel, width, wishes.height, {}, contacts);
+  for (const Panel& panel : panels) {
+    State shown = state;
+    if (panel.q.size() > 0) shown.q = panel.q;
+    Result<Image> image = renderPicture(model, shown, *view, panel.layers, width, wishes.height, {}, contacts);
     if (!image) return image.error();
     images.push_back(std::move(*image));
   }

@@ -56,9 +56,9 @@ void addRenderCommand(CLI::App& app, int& status) {
   command->add_option("--layers", wishes->picture.layers,
                       "Such as visual,contacts; of visual, collision, dynamics, couplings, contacts, tools, regions, labels");
   command->add_option("--time", wishes->time, "Run the scenario so far first, s")->check(CLI::NonNegativeNumber);
-  command->add_option("--part", wishes->picture.part, "Show this part alone: its id or number");
+  command->add_option("--part", wishes->picture.part, "Show this part alone, or with --sheet cage its cage alone: its id or number");
   command->add_option("--sheet", wishes->picture.sheet,
-                      "Take it apart into pictures side by side: anatomy (from the bones outwards) or meshes (visual, collision, dynamics)");
+                      "Take it apart into pictures side by side: anatomy (from the bones outwards) meshes (visual, collision, dynamics) or cage (overlaps at rest, cages, the start they make)");
   command->callback([wishes, &status] {
     const Result<Done> done = render(*wishes);
     status = done ? kDone : complain(done.error());

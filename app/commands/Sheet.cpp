@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "app/commands/Console.h"
+#include "simcore/author/Overlaps.h"
+#include "simcore/spatial/Intersect.h"
 
 namespace glenoid {
 namespace {
@@ -52,22 +54,90 @@ std::vector<Layers> meshPanels(const Layers& layers) {
   return panels;
 }
 
+/// The start with every caged part back at rest.
+VecX atRest(const Model& model) {
+  VecX q = model.start.q;
+  for (const SceneObject& object : model.objects)
+    if (!object.tool && findCage(model.joint, object.id))
+      for (int node = 0; node < object.layout.nodeCount; ++node)
+        q.segment<3>(object.layout.qOffset + 3 * node) = object.volume->nodes[node];
+  return q;
+}
+
+/// Visual triangles of caged parts, and what they cut, where parts that may collide cut each other at rest.
+std::vector<TriangleMark> cutsAtRest(const Model& model) {
+  std::vector<TriangleMark> marks;
+  for (const auto& [a, b] : pairsThatMayCollide(model.joint)) {
+    const Part &first = model.joint.parts[a], &second = model.joint.parts[b];
+    if (!findCage(model.joint, first.id) && !findCage(model.joint, second.id)) continue;
+    TriangleMark ofFirst{a, SurfaceKind::Visual, {}}, ofSecond{b, SurfaceKind::Visual, {}};  // objects begin with the parts
+    for (const auto& [i, j] : intersectingTriangles(*first.visual, *second.visual)) {
+      ofFirst.triangles.push_back(i);
+      ofSecond.triangles.push_back(j);
+    }
+    for (TriangleMark* mark : {&ofFirst, &ofSecond}) {
+      std::sort(mark->triangles.begin(), mark->triangles.end());
+      mark->triangles.erase(std::unique(mark->triangles.begin(), mark->triangles.end()), mark->triangles.end());
+      if (!mark->triangles.empty()) marks.push_back(std::move(*mark));
+    }
+  }
+  return marks;
+}
+
+/// Edges at rest, handles and edges as moved.
+Strokes strokesOf(const Cage& cage) {
+  constexpr std::array<float, 4> kRest{0.45f, 0.48f, 0.52f, 0.35f}, kMoved{0.05f, 0.5f, 0.55f, 1};
+  Strokes strokes;
+  strokes.hiddenStrength = 0.15f;
+  strokes.dotPx = 5;
+  const auto line = [&](const std::vector<Vec3>& at, int from, int to, const std::array<float, 4>& color) {
+    for (const int end : {from, to}) strokes.lines.push_back({at[end].cast<float>(), color});
+  };
+  for (const auto& t : cage.triangles)
+    for (int k = 0; k < 3; ++k) {
+      if (t[k] > t[(k + 1) % 3]) continue;
+      line(cage.rest_W, t[k], t[(k + 1) % 3], kRest);
+      line(cage.moved_W, t[k], t[(k + 1) % 3], kMoved);
+    }
+  for (const Vec3& handle : cage.moved_W) strokes.dots.push_back({handle.cast<float>(), kMoved});
+  return strokes;
+}
+
+std::vector<Panel> cagePanels(const Model& model, const Layers& layers, const std::string& part) {
+  if (model.joint.cages.empty()) return {};
+  const VecX rest = atRest(model);
+  std::vector<Panel> panels(3, Panel{layers, {}});
+  panels[0].q = rest;
+  panels[0].layers.marks = cutsAtRest(model);
+  panels[1].layers.marker = panels[2].layers.marker = false;
+  for (const Cage& cage : model.joint.cages)
+    if (part.empty() || part == cage.part) panels[1].layers.strokes.push_back(strokesOf(cage));
+  if (panels[1].layers.strokes.empty()) return {};
+  return panels;
+}
+
 }  // namespace
 
 Result<Sheet> sheetNamed(const std::string& word) {
   if (word.empty()) return Sheet::None;
   if (word == "anatomy") return Sheet::Anatomy;
   if (word == "meshes") return Sheet::Meshes;
-  return usageError("--sheet wants anatomy or meshes, not “" + word + "”");
+  if (word == "cage") return Sheet::Cage;
+  return usageError("--sheet wants anatomy, meshes or cage, not “" + word + "”");
 }
 
-std::vector<Layers> panelsOf(Sheet sheet, const Model& model, const Layers& layers) {
+std::vector<Panel> panelsOf(Sheet sheet, const Model& model, const Layers& layers, const std::string& part) {
+  std::vector<Panel> panels;
+  const auto take = [&](std::vector<Layers> list) {
+    for (Layers& each : list) panels.push_back({std::move(each), {}});
+  };
   switch (sheet) {
-    case Sheet::Anatomy: return anatomyPanels(model, layers);
-    case Sheet::Meshes: return meshPanels(layers);
-    case Sheet::None: break;
+    case Sheet::Anatomy: take(anatomyPanels(model, layers)); break;
+    case Sheet::Meshes: take(meshPanels(layers)); break;
+    case Sheet::Cage: return cagePanels(model, layers, part);
+    case Sheet::None: panels.push_back({layers, {}}); break;
   }
-  return {layers};
+  return panels;
 }
 
 Image besideEachOther(const std::vector<Image>& images) {

@@ -18,7 +18,10 @@ namespace {
 
 constexpr double kStep = 2e-3;        ///< m: no constraint asks for more in one sweep
 constexpr double kLook = 3e-3;        ///< m: what is nearer than this to another surface is kept from it
-constexpr double kPenalty = 2e3;      ///< of a constraint, against a stiffness whose mean diagonal is one
+// Penalty of a constraint, against a stiffness whose mean diagonal is one: small at first, so that a part moves as a whole
+// before it is dented.
+constexpr double kFirstPenalty = 5, kLastPenalty = 2e3;
+constexpr int kPenaltySweeps = 12;
 constexpr double kRatioKept = 0.2;    ///< volume ratio below which a step is cut short
 constexpr double kRatioHardened = 0.4;
 
@@ -153,7 +156,7 @@ void wishesToward(const Body& body, const Body& other, const Vec3& side, double 
 }
 
 /// Handle shifts of least energy that fulfil the wishes, as far as the penalty goes: Newton on ½ uᵀ K u + ½ µ Σ max(0, …)².
-VecX leastEnergy(const Body& body, const std::vector<Wish>& wishes) {
+VecX leastEnergy(const Body& body, const std::vector<Wish>& wishes, double penalty) {
   const VecX now = body.caged->shifts();
   const auto rows = static_cast<Eigen::Index>(wishes.size());
   MatX J(rows, now.size());
@@ -188,8 +191,8 @@ VecX leastEnergy(const Body& body, const std::vector<Wish>& wishes) {
     for (Eigen::Index r = 0, k = 0; r < rows; ++r)
       if (active[r]) some.row(k) = J.row(r), wanted[k++] = goal[r];
     MatX A = body.stiffness;
-    A.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose(), kPenalty);
-    u = A.selfadjointView<Eigen::Lower>().llt().solve(kPenalty * some.transpose() * wanted);
+    A.selfadjointView<Eigen::Lower>().rankUpdate(some.transpose(), penalty);
+    u = A.selfadjointView<Eigen::Lower>().llt().solve(penalty * some.transpose() * wanted);
     if (!u.allFinite()) return now;
   }
   return u;
@@ -245,7 +248,7 @@ class Separation {
         const double done = static_cast<double>(outcome.sweeps) / (m_wishes.iterations * (1 + m_wishes.refinements));
         if (m_progress && !m_progress(done, static_cast<int>(overlaps.size())))
           return Error{Fault::Cancelled, {}, {}, "separating the start"};
-        if (!sweepOnce()) break;
+        if (!sweepOnce(std::min(kLastPenalty, kFirstPenalty * std::pow(kLastPenalty / kFirstPenalty, sweep / double(kPenaltySweeps))))) break;
         overlaps = measure();
         chooseSides(overlaps);
         // Whoever was pushed into a part without a cage gets company.
@@ -308,7 +311,7 @@ class Separation {
   }
 
   /// False when nothing could move.
-  bool sweepOnce() {
+  bool sweepOnce(double penalty) {
     bool any = false;
     for (std::size_t i = 0; i < m_bodies.size(); ++i) {
       Body& body = m_bodies[i];
@@ -329,7 +332,7 @@ class Separation {
       }
       if (wishes.empty()) continue;
       any = true;
-      take(body, leastEnergy(body, wishes));
+      take(body, leastEnergy(body, wishes, penalty));
     }
     return any;
   }
