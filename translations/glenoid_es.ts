@@ -2542,6 +2542,18 @@
         <source>Surfaces (%1);;All files (*)</source>
         <translation>Superficies (%1);;Todos los archivos (*)</translation>
     </message>
+    <message>
+        <source>&amp;New joint</source>
+        <translation>&amp;Nueva articulación</translation>
+    </message>
+    <message>
+        <source>Begin a joint without parts; bring surfaces in then</source>
+        <translation>Empezar una articulación sin partes; después, traer superficies</translation>
+    </message>
+    <message>
+        <source>Untitled joint</source>
+        <translation>Articulación sin título</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PartEdits</name>
@@ -2608,6 +2620,21 @@
     <message>
         <source>Switch on contact between “%1” and “%2”</source>
         <translation>Activar el contacto entre «%1» y «%2»</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PartMovement</name>
+    <message>
+        <source>Fix “%1” in the room</source>
+        <translation>Fijar «%1» en la sala</translation>
+    </message>
+    <message>
+        <source>Hold “%1” by a spring</source>
+        <translation>Sujetar «%1» con un muelle</translation>
+    </message>
+    <message>
+        <source>Let “%1” move freely</source>
+        <translation>Dejar que «%1» se mueva libremente</translation>
     </message>
 </context>
 <context>
@@ -2979,10 +3006,6 @@
         <translation>blanda</translation>
     </message>
     <message>
-        <source>rigid, fixed in the room</source>
-        <translation>rígida, fija en el espacio</translation>
-    </message>
-    <message>
         <source>rigid</source>
         <translation>rígida</translation>
     </message>
@@ -3129,6 +3152,30 @@
     <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Movement:</source>
+        <translation>Movimiento:</translation>
+    </message>
+    <message>
+        <source>Movement of the part</source>
+        <translation>Movimiento de la parte</translation>
+    </message>
+    <message>
+        <source>Whether the part stays where it is, is pulled back by a spring, or moves freely</source>
+        <translation>Si la parte se queda donde está, un muelle la devuelve o se mueve libremente</translation>
+    </message>
+    <message>
+        <source>fixed in the room</source>
+        <translation>fija en la sala</translation>
+    </message>
+    <message>
+        <source>held by a spring</source>
+        <translation>sujeta por un muelle</translation>
+    </message>
+    <message>
+        <source>free</source>
+        <translation>libre</translation>
     </message>
 </context>
 <context>

@@ -82,6 +82,7 @@ class MainWindow : public QMainWindow {
   void refreshTitle();
   void refreshRun();
   bool mayDiscard();
+  void newScene();
   void askForScene();
   void askForJointFolder();
   void askForSurfaces();

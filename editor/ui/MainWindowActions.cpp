@@ -32,6 +32,9 @@ constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:palpation",
 }  // namespace
 
 void MainWindow::makeFileActions() {
+  m_actions.add("new", {}, {QKeySequence::New},
+                [] { return Actions::Words{tr("&New joint"), tr("Begin a joint without parts; bring surfaces in then")}; },
+                [this] { newScene(); });
   m_actions.add("open", "open", {QKeySequence::Open},
                 [] { return Actions::Words{tr("&Open…"), tr("Open a scenario file")}; }, [this] { askForScene(); });
   m_actions.add("openJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
@@ -204,7 +207,7 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menu();
-  fill(file, {"open", "openJoint", "import"});
+  fill(file, {"new", "open", "openJoint", "import"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
   fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});

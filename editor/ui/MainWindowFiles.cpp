@@ -5,6 +5,7 @@
 #include <QMessageBox>
 
 #include "editor/core/ExportSentences.h"
+#include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/MainWindow.h"
 #include "editor/ui/RecoverDialog.h"
@@ -38,6 +39,17 @@ void MainWindow::askForRecovery(bool all) {
   m_display.showAll();
   m_document.openUnsaved(std::move(scene).value(), dialog.chosen()->origin);
   declineSession(dialog.chosenSession()->folder);  // stays until the work is saved or thirty days have passed
+  refreshRun();
+  emit sceneOpened();
+}
+
+void MainWindow::newScene() {
+  if (!mayDiscard()) return;
+  m_opening = 0;
+  showProblem({});
+  m_selection.clear();
+  m_display.showAll();
+  m_document.open(emptyScene(tr("Untitled joint")), {});
   refreshRun();
   emit sceneOpened();
 }

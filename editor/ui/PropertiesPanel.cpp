@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/PropertiesPanel.h"
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
@@ -12,6 +13,7 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Numbers.h"
 
@@ -128,13 +130,10 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
 
 void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   layout.addWidget(label(anatomyName(part.name), "title"));
-  const auto& fixed = m_document.scenario().fixedParts;
-  const bool isFixed = std::find(fixed.begin(), fixed.end(), part.id) != fixed.end();
   QFormLayout* form = group(layout, tr("Part"));
   form->addRow(tr("Number:"), label(QString::number(part.number)));
-  form->addRow(tr("Kind:"), label(part.kind == PartKind::Soft ? tr("soft")
-                                  : isFixed                   ? tr("rigid, fixed in the room")
-                                                              : tr("rigid")));
+  form->addRow(tr("Kind:"), label(part.kind == PartKind::Soft ? tr("soft") : tr("rigid")));
+  form->addRow(tr("Movement:"), movementBox(part));
   if (part.visual) form->addRow(tr("Visual triangles:"), label(number(part.visual->triangles.size())));
   if (part.collision) form->addRow(tr("Collision triangles:"), label(number(part.collision->triangles.size())));
   if (part.volume) {
@@ -154,6 +153,22 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   }
   showMaterials(layout, part);
   showCouplings(layout, part);
+}
+
+QComboBox* PropertiesPanel::movementBox(const Part& part) {
+  auto* box = new QComboBox;
+  box->setObjectName(QStringLiteral("movement"));
+  box->setAccessibleName(tr("Movement of the part"));
+  box->setToolTip(tr("Whether the part stays where it is, is pulled back by a spring, or moves freely"));
+  box->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the panel
+  box->addItem(tr("fixed in the room"), static_cast<int>(Movement::Fixed));
+  if (part.kind == PartKind::Rigid) box->addItem(tr("held by a spring"), static_cast<int>(Movement::Held));
+  box->addItem(tr("free"), static_cast<int>(Movement::Free));
+  box->setCurrentIndex(box->findData(static_cast<int>(movementOf(m_document.scenario(), part.id))));
+  connect(box, &QComboBox::activated, this, [this, box, id = part.id] {
+    setMovement(m_document, id, static_cast<Movement>(box->currentData().toInt()));
+  });
+  return box;
 }
 
 void PropertiesPanel::showMaterials(QVBoxLayout& layout, const Part& part) {

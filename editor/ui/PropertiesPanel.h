@@ -5,12 +5,13 @@
 #include "editor/core/PlayLink.h"
 #include "editor/core/Selection.h"
 
+class QComboBox;
 class QVBoxLayout;
 
 namespace glenoid {
 
-/// What is known about the selected part or tool, in millimetres and kilopascals; stiffnesses can be edited, each
-/// edit is one undo step. Without a selection: the scene as a whole and its effects.
+/// What is known about the selected part or tool, in millimetres and kilopascals; stiffnesses and how a
+/// part moves can be edited, each edit is one undo step. Without a selection: the scene as a whole and its effects.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
  public:
@@ -24,6 +25,7 @@ class PropertiesPanel : public QScrollArea {
   void showScene(QVBoxLayout& layout);
   void showPart(QVBoxLayout& layout, const Part& part);
   void showTool(QVBoxLayout& layout, const Tool& tool);
+  QComboBox* movementBox(const Part& part);
   void showMaterials(QVBoxLayout& layout, const Part& part);
   void showCouplings(QVBoxLayout& layout, const Part& part);
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "editor/core/Document.h"
+
+namespace glenoid {
+
+/// How a part takes part in a run: fixed in the room, free but pulled back to its rest pose by a spring (rigid parts
+/// only), or free.
+enum class Movement { Fixed, Held, Free };
+
+Movement movementOf(const Scenario& scenario, const std::string& part);
+
+/// One undo step, which changes the scenario. False where the part is unknown, moves so already, or is soft and should
+/// be held. A part that is held anew gets the spring of a default Hold; loads on a part that becomes fixed go.
+bool setMovement(Document& document, const std::string& part, Movement movement);
+
+/// A joint without parts and a scenario around it, for beginning anew.
+Scene emptyScene(const QString& name);
+
+}  // namespace glenoid

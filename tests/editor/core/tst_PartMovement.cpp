@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/PartMovement.h"
+
+#include <gtest/gtest.h>
+
+namespace glenoid {
+namespace {
+
+Scene twoParts() {
+  Scene scene;
+  for (const char* id : {"bone", "muscle"}) {
+    Part part;
+    part.id = part.name = id;
+    part.number = static_cast<int>(scene.joint.parts.size()) + 1;
+    part.kind = scene.joint.parts.empty() ? PartKind::Rigid : PartKind::Soft;
+    scene.joint.parts.push_back(part);
+  }
+  scene.scenario.loads = {{"bone", Vec3(0, 1, 0), Vec3::Zero()}};
+  return scene;
+}
+
+TEST(PartMovement, eachChangeIsOneStepAndComesBack) {
+  Document document;
+  document.open(twoParts(), {});
+  EXPECT_EQ(movementOf(document.scenario(), "bone"), Movement::Free);
+  EXPECT_TRUE(setMovement(document, "bone", Movement::Held));
+  EXPECT_EQ(movementOf(document.scenario(), "bone"), Movement::Held);
+  EXPECT_EQ(document.scenario().holds, (std::vector<Hold>{Hold{"bone"}}));
+  EXPECT_EQ(document.scenario().loads.size(), 1u);
+  EXPECT_TRUE(setMovement(document, "bone", Movement::Fixed));
+  EXPECT_TRUE(document.scenario().holds.empty());
+  EXPECT_TRUE(document.scenario().loads.empty());  // nothing moves what is fixed
+  EXPECT_FALSE(setMovement(document, "bone", Movement::Fixed));
+  EXPECT_EQ(document.undoStack().count(), 2);
+  document.undoStack().undo();
+  EXPECT_EQ(movementOf(document.scenario(), "bone"), Movement::Held);
+  EXPECT_EQ(document.scenario().loads.size(), 1u);
+  document.undoStack().undo();
+  EXPECT_EQ(movementOf(document.scenario(), "bone"), Movement::Free);
+}
+
+TEST(PartMovement, tissueIsFixedOrFreeAndStrangersAreRefused) {
+  Document document;
+  document.open(twoParts(), {});
+  EXPECT_FALSE(setMovement(document, "muscle", Movement::Held));
+  EXPECT_TRUE(setMovement(document, "muscle", Movement::Fixed));
+  EXPECT_TRUE(setMovement(document, "muscle", Movement::Free));
+  EXPECT_FALSE(setMovement(document, "ulna", Movement::Fixed));
+}
+
+TEST(PartMovement, anEmptySceneHasNoParts) {
+  Document document;
+  document.open(emptyScene(QStringLiteral("Untitled")), {});
+  EXPECT_TRUE(document.isEmpty());
+  EXPECT_EQ(document.joint().name, "Untitled");
+}
+
+}  // namespace
+}  // namespace glenoid
