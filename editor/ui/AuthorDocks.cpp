@@ -134,7 +134,7 @@ void AuthorDocks::makeActions(Actions& actions) {
            [this] { m_authoring.selectConnected(); }),
       step("author.clear", "pick-none", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
            [] { return Actions::Words{tr("&None"), tr("Select no triangles")}; }, [this] { m_authoring.clear(); })};
-  QAction* invert = step("author.invert", "pick-invert", QKeySequence(Qt::CTRL | Qt::Key_I),
+  QAction* invert = step("author.invert", "pick-invert", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
                          [] { return Actions::Words{tr("&Invert"), tr("Select all other triangles")}; },
                          [this] { m_authoring.invert(); });
   m_menu->addSeparator();
