@@ -30,14 +30,16 @@ ChangeSet ofCoupling(const std::string& id) {
 }
 
 int indexOf(const std::vector<Coupling>& couplings, const std::string& id) {
-  const auto found = std::find_if(couplings.begin(), couplings.end(), [&](const Coupling& c) { return c.id == id; });
+  const auto found =
+      std::find_if(couplings.begin(), couplings.end(), [&](const Coupling& c) { return c.id == id; });
   return found == couplings.end() ? -1 : static_cast<int>(found - couplings.begin());
 }
 
 int regionIndex(const Joint& joint, int part, const std::string& id) {
   if (part < 0) return -1;
   const auto& regions = joint.parts[part].regions;
-  const auto found = std::find_if(regions.begin(), regions.end(), [&](const Region& r) { return r.id == id; });
+  const auto found =
+      std::find_if(regions.begin(), regions.end(), [&](const Region& r) { return r.id == id; });
   return found == regions.end() ? -1 : static_cast<int>(found - regions.begin());
 }
 
@@ -53,8 +55,12 @@ QString nameOf(const Joint& joint, const std::string& part) {
 }
 
 // lupdate loses the namespace in functions that answer a std::string, so these texts stand alone.
-QString makeText(const QString& region) { return AuthorEdits::tr("Make the region “%1”").arg(region); }
-QString coupleText(const QString& a, const QString& b) { return AuthorEdits::tr("Couple %1 to %2").arg(a, b); }
+QString makeText(const QString& region) {
+  return AuthorEdits::tr("Make the region “%1”").arg(region);
+}
+QString coupleText(const QString& a, const QString& b) {
+  return AuthorEdits::tr("Couple %1 to %2").arg(a, b);
+}
 
 Region makeRegion(const Part& part, const std::string& name, const std::string& kind, SurfaceKind surface,
                   const std::vector<int>& triangles) {
@@ -68,13 +74,16 @@ std::string freshId(const std::string& wish, const std::vector<std::string>& tak
   for (const char c : wish) {
     const char lower = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     const bool keeps = (lower >= 'a' && lower <= 'z') || (lower >= '0' && lower <= '9');
-    if (keeps) slug += lower;
-    else if (!slug.empty() && slug.back() != '-') slug += '-';
+    if (keeps)
+      slug += lower;
+    else if (!slug.empty() && slug.back() != '-')
+      slug += '-';
   }
   while (!slug.empty() && slug.back() == '-') slug.pop_back();
   if (slug.empty()) slug = "item";
   std::string id = slug;
-  for (int n = 2; std::find(taken.begin(), taken.end(), id) != taken.end(); ++n) id = slug + "-" + std::to_string(n);
+  for (int n = 2; std::find(taken.begin(), taken.end(), id) != taken.end(); ++n)
+    id = slug + "-" + std::to_string(n);
   return id;
 }
 
@@ -82,7 +91,8 @@ std::string addRegion(Document& document, const std::string& part, const QString
                       const std::vector<int>& triangles) {
   const int index = findPart(document.joint(), part);
   if (index < 0 || triangles.empty()) return {};
-  const Region region = makeRegion(document.joint().parts[index], name.toStdString(), "other", surface, triangles);
+  const Region region =
+      makeRegion(document.joint().parts[index], name.toStdString(), "other", surface, triangles);
   document.edit(makeText(name), ofParts({part}),
                 [&](Scene& scene) { scene.joint.parts[index].regions.push_back(region); });
   return region.id;
@@ -96,14 +106,16 @@ bool setRegion(Document& document, const std::string& part, const std::string& r
   changed.surface = surface;
   changed.triangles = runsOf(triangles);
   if (changed == document.joint().parts[p].regions[r]) return false;
-  document.edit(AuthorEdits::tr("Change the region “%1”").arg(QString::fromStdString(changed.name)), ofParts({part}),
-                [&](Scene& scene) { scene.joint.parts[p].regions[r] = changed; });
+  document.edit(AuthorEdits::tr("Change the region “%1”").arg(QString::fromStdString(changed.name)),
+                ofParts({part}), [&](Scene& scene) { scene.joint.parts[p].regions[r] = changed; });
   return true;
 }
 
-bool renameRegion(Document& document, const std::string& part, const std::string& region, const QString& name) {
+bool renameRegion(Document& document, const std::string& part, const std::string& region,
+                  const QString& name) {
   const int p = findPart(document.joint(), part), r = regionIndex(document.joint(), p, region);
-  if (r < 0 || name.isEmpty() || document.joint().parts[p].regions[r].name == name.toStdString()) return false;
+  if (r < 0 || name.isEmpty() || document.joint().parts[p].regions[r].name == name.toStdString())
+    return false;
   document.edit(AuthorEdits::tr("Rename a region to “%1”").arg(name), ofParts({part}),
                 [&](Scene& scene) { scene.joint.parts[p].regions[r].name = name.toStdString(); });
   return true;
@@ -141,7 +153,8 @@ std::string addCoupling(Document& document, const CouplingWish& wish) {
   const bool fresh = wish.region.empty();
   if (fresh ? wish.triangles.empty() : regionIndex(joint, a, wish.region) < 0) return {};
   Region region;
-  if (fresh) region = makeRegion(joint.parts[a], "on-" + wish.partB, "footprint", wish.surface, wish.triangles);
+  if (fresh)
+    region = makeRegion(joint.parts[a], "on-" + wish.partB, "footprint", wish.surface, wish.triangles);
   std::vector<std::string> taken;
   for (const Coupling& coupling : joint.couplings) taken.push_back(coupling.id);
   Coupling coupling;
@@ -154,11 +167,10 @@ std::string addCoupling(Document& document, const CouplingWish& wish) {
   coupling.reason = wish.reason;
   ChangeSet changes = ofCoupling(coupling.id);
   changes.parts = {wish.partA};
-  document.edit(coupleText(nameOf(joint, wish.partA), nameOf(joint, wish.partB)), changes,
-                [&](Scene& scene) {
-                  if (fresh) scene.joint.parts[a].regions.push_back(region);
-                  scene.joint.couplings.push_back(coupling);
-                });
+  document.edit(coupleText(nameOf(joint, wish.partA), nameOf(joint, wish.partB)), changes, [&](Scene& scene) {
+    if (fresh) scene.joint.parts[a].regions.push_back(region);
+    scene.joint.couplings.push_back(coupling);
+  });
   return coupling.id;
 }
 
@@ -167,9 +179,10 @@ bool removeCoupling(Document& document, const std::string& coupling) {
   const int index = indexOf(joint.couplings, coupling);
   if (index < 0) return false;
   const Coupling& old = joint.couplings[index];
-  document.edit(AuthorEdits::tr("Uncouple %1 from %2").arg(nameOf(joint, old.partA), nameOf(joint, old.partB)),
-                ofCoupling(coupling),
-                [&](Scene& scene) { scene.joint.couplings.erase(scene.joint.couplings.begin() + index); });
+  document.edit(
+      AuthorEdits::tr("Uncouple %1 from %2").arg(nameOf(joint, old.partA), nameOf(joint, old.partB)),
+      ofCoupling(coupling),
+      [&](Scene& scene) { scene.joint.couplings.erase(scene.joint.couplings.begin() + index); });
   return true;
 }
 
@@ -186,16 +199,18 @@ bool setCouplingReason(Document& document, const std::string& coupling, const QS
 bool setCouplingDamping(Document& document, const std::string& coupling, double seconds) {
   const int index = indexOf(document.joint().couplings, coupling);
   if (index < 0 || seconds < 0 || document.joint().couplings[index].damping == seconds) return false;
-  document.edit(AuthorEdits::tr("Change the damping of a coupling"), ofCoupling(coupling),
-                [&](Scene& scene) { scene.joint.couplings[index].damping = seconds; },
-                QStringLiteral("damping:") + QString::fromStdString(coupling));
+  document.edit(
+      AuthorEdits::tr("Change the damping of a coupling"), ofCoupling(coupling),
+      [&](Scene& scene) { scene.joint.couplings[index].damping = seconds; },
+      QStringLiteral("damping:") + QString::fromStdString(coupling));
   return true;
 }
 
 bool excludePair(Document& document, const ExclusionProposal& proposal) {
   const Joint& joint = document.joint();
   for (const Exclusion& e : joint.exclusions)
-    if ((e.partA == proposal.partA && e.partB == proposal.partB) || (e.partA == proposal.partB && e.partB == proposal.partA))
+    if ((e.partA == proposal.partA && e.partB == proposal.partB) ||
+        (e.partA == proposal.partB && e.partB == proposal.partA))
       return false;
   // Written into the file once and for all, so in the language of the files.
   const std::string reason = QStringLiteral("bonded over %1 mm²: couplings hold the two together")
@@ -204,8 +219,9 @@ bool excludePair(Document& document, const ExclusionProposal& proposal) {
   ChangeSet changes = ofParts({proposal.partA, proposal.partB});
   document.edit(AuthorEdits::tr("Switch the collision of %1 and %2 off")
                     .arg(nameOf(joint, proposal.partA), nameOf(joint, proposal.partB)),
-                changes,
-                [&](Scene& scene) { scene.joint.exclusions.push_back({proposal.partA, proposal.partB, reason}); });
+                changes, [&](Scene& scene) {
+                  scene.joint.exclusions.push_back({proposal.partA, proposal.partB, reason});
+                });
   return true;
 }
 
@@ -213,30 +229,38 @@ bool excludePair(Document& document, const ExclusionProposal& proposal) {
 
 bool setCage(Document& document, const Cage& cage, const QString& text) {
   const int part = findPart(document.joint(), cage.part);
-  if (part < 0 || document.joint().parts[part].kind != PartKind::Soft || cage.rest_W.size() != cage.moved_W.size()) return false;
+  if (part < 0 || document.joint().parts[part].kind != PartKind::Soft ||
+      cage.rest_W.size() != cage.moved_W.size())
+    return false;
   for (const Cage& other : document.joint().cages)
     if ((other.id == cage.id && other.part != cage.part) || other == cage) return false;
   document.edit(text, ofParts({cage.part}), [&](Scene& scene) {
     auto& cages = scene.joint.cages;
-    const auto found = std::find_if(cages.begin(), cages.end(), [&](const Cage& c) { return c.part == cage.part; });
-    if (found == cages.end()) cages.push_back(cage);
-    else *found = cage;
+    const auto found =
+        std::find_if(cages.begin(), cages.end(), [&](const Cage& c) { return c.part == cage.part; });
+    if (found == cages.end())
+      cages.push_back(cage);
+    else
+      *found = cage;
     scene.joint.startProof.reset();
   });
   return true;
 }
 
-bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture) {
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W,
+                 const QString& gesture) {
   const auto& cages = document.joint().cages;
   const auto found = std::find_if(cages.begin(), cages.end(), [&](const Cage& c) { return c.part == part; });
-  if (found == cages.end() || found->moved_W == moved_W || found->moved_W.size() != moved_W.size()) return false;
+  if (found == cages.end() || found->moved_W == moved_W || found->moved_W.size() != moved_W.size())
+    return false;
   const std::size_t index = found - cages.begin();
-  document.edit(AuthorEdits::tr("Move the cage of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
-                [&](Scene& scene) {
-                  scene.joint.cages[index].moved_W = moved_W;
-                  scene.joint.startProof.reset();
-                },
-                gesture);
+  document.edit(
+      AuthorEdits::tr("Move the cage of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
+      [&](Scene& scene) {
+        scene.joint.cages[index].moved_W = moved_W;
+        scene.joint.startProof.reset();
+      },
+      gesture);
   return true;
 }
 
@@ -250,7 +274,8 @@ bool removeCage(Document& document, const std::string& part) {
   return true;
 }
 
-bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof, const QString& text) {
+bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof,
+              const QString& text) {
   if (document.joint().cages == cages && document.joint().startProof == proof) return false;
   std::set<std::string> parts;
   for (const auto* list : {&document.joint().cages, &cages})
@@ -289,13 +314,14 @@ bool setMaterial(Document& document, const std::string& part, const Material& ma
   if (known && !uses.empty() && uses[0].material == material.id && uses[0].region.empty()) return false;
   ChangeSet changes = ofParts({part});
   changes.materials = {material.id};
-  document.edit(AuthorEdits::tr("Make %1 of “%2”").arg(nameOf(document.joint(), part), anatomyName(material.name)), changes,
-                [&](Scene& scene) {
-                  if (!known) scene.joint.materials.push_back(material);
-                  auto& own = scene.joint.parts[index].materials;
-                  if (own.empty() || !own[0].region.empty()) own.insert(own.begin(), MaterialUse{});
-                  own[0] = {material.id, {}};
-                });
+  document.edit(
+      AuthorEdits::tr("Make %1 of “%2”").arg(nameOf(document.joint(), part), anatomyName(material.name)),
+      changes, [&](Scene& scene) {
+        if (!known) scene.joint.materials.push_back(material);
+        auto& own = scene.joint.parts[index].materials;
+        if (own.empty() || !own[0].region.empty()) own.insert(own.begin(), MaterialUse{});
+        own[0] = {material.id, {}};
+      });
   return true;
 }
 

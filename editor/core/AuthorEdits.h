@@ -9,8 +9,8 @@
 #include "simcore/author/MakeBody.h"
 #include "simcore/scene/ProposeExclusions.h"
 
-/// What an author does to regions, couplings, exclusions, cages and bodies: each function is one undo step on the document, or does
-/// nothing and answers so. Ids are those of the joint; SI units. GUI thread only.
+/// What an author does to regions, couplings, exclusions, cages and bodies: each function is one undo step on
+/// the document, or does nothing and answers so. Ids are those of the joint; SI units. GUI thread only.
 namespace glenoid {
 
 /// A slug that is not taken: letters, digits and hyphens of `wish`, with a number where needed.
@@ -19,11 +19,11 @@ std::string freshId(const std::string& wish, const std::vector<std::string>& tak
 /// The wish for a coupling: a region of part A, or triangles from which one is made.
 struct CouplingWish {
   std::string partA, partB;
-  std::string region;          ///< id of a region of A; empty: made from `triangles`
+  std::string region;  ///< id of a region of A; empty: made from `triangles`
   SurfaceKind surface = SurfaceKind::Visual;
-  std::vector<int> triangles;  ///< ascending
-  double stiffnessPerArea = 0; ///< N/m per m²
-  double damping = 1e-3;       ///< s
+  std::vector<int> triangles;   ///< ascending
+  double stiffnessPerArea = 0;  ///< N/m per m²
+  double damping = 1e-3;        ///< s
   std::string reason = {};
 };
 
@@ -32,7 +32,8 @@ std::string addRegion(Document& document, const std::string& part, const QString
                       const std::vector<int>& triangles);
 bool setRegion(Document& document, const std::string& part, const std::string& region, SurfaceKind surface,
                const std::vector<int>& triangles);
-bool renameRegion(Document& document, const std::string& part, const std::string& region, const QString& name);
+bool renameRegion(Document& document, const std::string& part, const std::string& region,
+                  const QString& name);
 /// Not while a coupling, a material or a bursa refers to it.
 bool removeRegion(Document& document, const std::string& part, const std::string& region);
 bool isRegionUsed(const Joint& joint, const std::string& part, const std::string& region);
@@ -46,17 +47,19 @@ bool setCouplingDamping(Document& document, const std::string& coupling, double 
 /// Collision of a pair off, with the reason written into the joint.
 bool excludePair(Document& document, const ExclusionProposal& proposal);
 
-/// The cage in the place of the one its part had; false for a part that is not soft, an id that another has, or no
-/// change. The proof of the start goes with every change of a cage.
+/// The cage in the place of the one its part had; false for a part that is not soft, an id that another has,
+/// or no change. The proof of the start goes with every change of a cage.
 bool setCage(Document& document, const Cage& cage, const QString& text);
 /// Handles to these places, as many as there are; steps in a row with one `gesture` are one.
-bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W, const QString& gesture = {});
+bool moveHandles(Document& document, const std::string& part, const std::vector<Vec3>& moved_W,
+                 const QString& gesture = {});
 bool removeCage(Document& document, const std::string& part);
 /// All cages and the proof at once, as a job found them.
-bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof, const QString& text);
+bool setStart(Document& document, const std::vector<Cage>& cages, const std::optional<StartProof>& proof,
+              const QString& text);
 
-/// Another body for a part: its cage and the proof of the start go with the meshes they were made for. Nothing is done
-/// where a region that something refers to would be lost.
+/// Another body for a part: its cage and the proof of the start go with the meshes they were made for.
+/// Nothing is done where a region that something refers to would be lost.
 bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body);
 
 /// The part's main material becomes this one, which joins the joint where its id is not known there yet.

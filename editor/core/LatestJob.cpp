@@ -3,7 +3,9 @@
 
 namespace glenoid {
 
-LatestJob::LatestJob(QObject* parent) : QObject(parent) { m_pool.setMaxThreadCount(1); }
+LatestJob::LatestJob(QObject* parent) : QObject(parent) {
+  m_pool.setMaxThreadCount(1);
+}
 
 LatestJob::~LatestJob() {
   drop();

@@ -8,9 +8,10 @@
 
 namespace glenoid {
 
-/// Work for a preview that follows a slider: runs on a worker, and only the latest wish counts. Wishes that have not
-/// begun are dropped, one under way is told that it is stale and its answer is thrown away. For work that a person waits
-/// for, with progress and a button to cancel, there are jobs. GUI thread only; the destructor waits.
+/// Work for a preview that follows a slider: runs on a worker, and only the latest wish counts. Wishes that
+/// have not begun are dropped, one under way is told that it is stale and its answer is thrown away. For work
+/// that a person waits for, with progress and a button to cancel, there are jobs. GUI thread only; the
+/// destructor waits.
 class LatestJob : public QObject {
  public:
   using Answer = std::function<void()>;  ///< runs on the GUI thread

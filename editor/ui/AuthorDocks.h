@@ -16,13 +16,13 @@ namespace glenoid {
 class JobSystem;
 class SceneView;
 
-/// The author's part of the window: the tools with their buttons and keys, and their panels beside the properties. Made
-/// after the window's own docks; the view may be null.
+/// The author's part of the window: the tools with their buttons and keys, and their panels beside the
+/// properties. Made after the window's own docks; the view may be null.
 class AuthorDocks : public QObject {
   Q_OBJECT
  public:
-  AuthorDocks(QMainWindow& window, Actions& actions, Document& document, JobSystem& jobs, DisplayState& display,
-              Selection& selection, SceneView* view);
+  AuthorDocks(QMainWindow& window, Actions& actions, Document& document, JobSystem& jobs,
+              DisplayState& display, Selection& selection, SceneView* view);
   ~AuthorDocks() override;
 
   Authoring& authoring() { return m_authoring; }

@@ -20,9 +20,9 @@ class QSpinBox;
 
 namespace glenoid {
 
-/// Surfaces to bodies: how the chosen part collides and deforms, what that costs and how near it stays to what is seen,
-/// with the three meshes side by side while the sliders move. Nothing changes before Apply, which is one step. Shows and
-/// forwards: what is made is in simcore/author/MakeBody.
+/// Surfaces to bodies: how the chosen part collides and deforms, what that costs and how near it stays to
+/// what is seen, with the three meshes side by side while the sliders move. Nothing changes before Apply,
+/// which is one step. Shows and forwards: what is made is in simcore/author/MakeBody.
 class BodyPanel : public QWidget {
   Q_OBJECT
  public:
@@ -42,14 +42,14 @@ class BodyPanel : public QWidget {
   QWidget* makeControls();
   QWidget* makePictures();
   void retranslate();
-  void refreshPart();    ///< takes the part anew where its body has changed
-  void takePart();       ///< the part's values into the fields
+  void refreshPart();  ///< takes the part anew where its body has changed
+  void takePart();     ///< the part's values into the fields
   void refreshMaterials();
-  void ask();            ///< a new body for the fields as they stand
+  void ask();  ///< a new body for the fields as they stand
   void askPictures();
   void showFigures();
   void apply();
-  void mark();           ///< the selected triangles matter
+  void mark();  ///< the selected triangles matter
   BodyWish wish() const;
   const Part* part() const;
 

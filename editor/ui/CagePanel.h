@@ -18,12 +18,13 @@ class QTreeWidget;
 
 namespace glenoid {
 
-/// A start without intersections by cages: the overlaps of the joint as it starts, live while handles are dragged; a cage
-/// around the chosen part; the program's own suggestion; and the proof. Shows and forwards.
+/// A start without intersections by cages: the overlaps of the joint as it starts, live while handles are
+/// dragged; a cage around the chosen part; the program's own suggestion; and the proof. Shows and forwards.
 class CagePanel : public QScrollArea {
   Q_OBJECT
  public:
-  CagePanel(Document& document, Selection& selection, Authoring& authoring, JobSystem& jobs, QWidget* parent = nullptr);
+  CagePanel(Document& document, Selection& selection, Authoring& authoring, JobSystem& jobs,
+            QWidget* parent = nullptr);
 
  signals:
   void partsWanted(const std::set<std::string>& ids, const std::string& current);  ///< show these two
@@ -51,7 +52,8 @@ class CagePanel : public QScrollArea {
   Selection& m_selection;
   Authoring& m_authoring;
   LatestJob m_overlapJob;
-  QTimer m_later;  ///< overlaps are asked for when the hand rests for a moment, or this long after the last answer
+  QTimer m_later;  ///< overlaps are asked for when the hand rests for a moment, or this long after the last
+                   ///< answer
   std::vector<Overlap> m_overlaps;
   std::vector<std::vector<Vec3>> m_cuts_W;  ///< by overlap
   bool m_overlapsKnown = false, m_showing = false;

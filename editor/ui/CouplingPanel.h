@@ -20,8 +20,9 @@ class QVBoxLayout;
 
 namespace glenoid {
 
-/// Couplings by picking: which two parts, over which triangles, how stiff; the joint's couplings with their figures; and
-/// the pairs whose collision their bonds make needless. Shows and forwards: what is done is in AuthorEdits.
+/// Couplings by picking: which two parts, over which triangles, how stiff; the joint's couplings with their
+/// figures; and the pairs whose collision their bonds make needless. Shows and forwards: what is done is in
+/// AuthorEdits.
 class CouplingPanel : public QScrollArea {
   Q_OBJECT
  public:

@@ -52,7 +52,8 @@ Result<Body> makeBody(const Part& part, const BodyWish& wish, const IsStale& isS
   };
   const auto stale = [&isStale] { return isStale && isStale(); };
   const Error cancelled{Fault::Cancelled, {}, {}, "making a body"};
-  if (!part.visual) return Error{Fault::BadMesh, {{}, {}, part.id, {}}, {"no visual surface"}, "making a body"};
+  if (!part.visual)
+    return Error{Fault::BadMesh, {{}, {}, part.id, {}}, {"no visual surface"}, "making a body"};
   if (const auto closed = requireClosed(*part.visual, part.id); !closed) return closed.error();
   if (stale()) return cancelled;
   Body body;
@@ -109,7 +110,9 @@ Part withBody(const Part& part, const BodyWish& wish, const Body& body) {
   out.collision = body.collision;
   out.volume = wish.kind == PartKind::Soft ? body.volume : nullptr;
   out.cellSize = wish.kind == PartKind::Soft ? wish.cellSize : 0;
-  if (body.collision == part.collision || !part.collision || (part.collision && *body.collision == *part.collision)) return out;
+  if (body.collision == part.collision || !part.collision ||
+      (part.collision && *body.collision == *part.collision))
+    return out;
   const TriangleTree old(*part.collision);
   std::vector<int> nearest;
   for (const auto& t : body.collision->triangles) {
@@ -139,8 +142,8 @@ double expectedStepMs(const TetMesh& volume) {
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   const BlockSymbolic symbolic(static_cast<int>(volume.nodes.size()), pairs);
-  return kPerTetrahedron * static_cast<double>(volume.tets.size()) + kPerProduct * static_cast<double>(symbolic.updateCount()) +
-         kPerBlock * symbolic.slotCount();
+  return kPerTetrahedron * static_cast<double>(volume.tets.size()) +
+         kPerProduct * static_cast<double>(symbolic.updateCount()) + kPerBlock * symbolic.slotCount();
 }
 
 }  // namespace glenoid

@@ -21,7 +21,8 @@ std::vector<int> islandsOfParts(const Joint& joint, const std::vector<std::strin
   return findCouplingIslands(isFree, pairs).islandOfObject;
 }
 
-Result<CouplingFigures> couplingFigures(const Joint& joint, int index, const std::vector<std::string>& fixedParts) {
+Result<CouplingFigures> couplingFigures(const Joint& joint, int index,
+                                        const std::vector<std::string>& fixedParts) {
   const Coupling& coupling = joint.couplings[index];
   std::vector<CoupledPart> parts;
   for (const Part& part : joint.parts) parts.push_back({&part, Vec3::Zero()});
@@ -40,7 +41,8 @@ Result<CouplingFigures> couplingFigures(const Joint& joint, int index, const std
   CouplingFigures figures;
   figures.springs = static_cast<int>(springs->size());
   for (const CouplingSpring& spring : *springs) figures.stiffness += spring.stiffness;
-  for (const RegionAnchor& anchor : regionAnchors({&a, Vec3::Zero()}, region)) figures.anchors_W.push_back(anchor.rest_W);
+  for (const RegionAnchor& anchor : regionAnchors({&a, Vec3::Zero()}, region))
+    figures.anchors_W.push_back(anchor.rest_W);
 
   const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *a.visual : *a.collision;
   const auto areaOfTriangle = [&mesh](int t) {
@@ -62,7 +64,8 @@ Result<CouplingFigures> couplingFigures(const Joint& joint, int index, const std
   figures.meanGap /= figures.area;
   figures.coverage = figures.area / whole;
   const std::vector<int> islands = islandsOfParts(joint, fixedParts);
-  figures.island = std::max(islands[findPart(joint, coupling.partA)], islands[findPart(joint, coupling.partB)]);
+  figures.island =
+      std::max(islands[findPart(joint, coupling.partA)], islands[findPart(joint, coupling.partB)]);
   return figures;
 }
 
@@ -79,7 +82,8 @@ double suggestedStiffness(const Joint& joint, const std::string& partA, const st
       if (material < 0) continue;
       const double modulus = joint.materials[material].youngsModulus;
       young = young > 0 ? std::min(young, modulus) : modulus;
-      if (soft && part.cellSize > 0) thickness = thickness > 0 ? std::min(thickness, part.cellSize) : part.cellSize;
+      if (soft && part.cellSize > 0)
+        thickness = thickness > 0 ? std::min(thickness, part.cellSize) : part.cellSize;
     }
     if (young > 0) break;
   }

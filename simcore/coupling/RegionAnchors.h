@@ -13,8 +13,8 @@ struct RegionAnchor {
   double share = 0;            ///< area of the region that it carries, m²
 };
 
-/// On a soft part the nodes that carry the region, on a rigid one some of its vertices; see deriveSprings. Empty where
-/// the region has no area. The region must lie inside its surface.
+/// On a soft part the nodes that carry the region, on a rigid one some of its vertices; see deriveSprings.
+/// Empty where the region has no area. The region must lie inside its surface.
 std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region);
 
 /// Four or more that span more than a line can hold a body against turning.

@@ -4,8 +4,9 @@
 
 #include "simcore/mesh/TriMesh.h"
 
-/// Sets of triangles of one surface, as an author picks them. A set is a list of triangle indices, ascending and without
-/// repetition; indices must lie inside the mesh. Neighbours share a vertex, so that growing rounds corners.
+/// Sets of triangles of one surface, as an author picks them. A set is a list of triangle indices, ascending
+/// and without repetition; indices must lie inside the mesh. Neighbours share a vertex, so that growing
+/// rounds corners.
 namespace glenoid {
 
 /// The set and every triangle that touches it.

@@ -12,7 +12,8 @@ namespace glenoid {
 Result<std::vector<Material>> parseMaterialLibrary(std::string_view text, const std::string& file) {
   auto json = parseJson(text, file);
   if (!json) return json.error();
-  // A library is what a joint holds beside its parts, so one schema says what a material is; the part is a stand-in.
+  // A library is what a joint holds beside its parts, so one schema says what a material is; the part is a
+  // stand-in.
   JsonValue joint = std::move(*json);
   if (joint.isObject()) {
     joint.set("id", JsonValue("library"));
@@ -31,7 +32,10 @@ Result<std::vector<Material>> parseMaterialLibrary(std::string_view text, const 
   std::set<std::string> ids;
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (!ids.insert(materials[i].id).second)
-      return Error{Fault::DuplicateId, {file, "/materials/" + std::to_string(i) + "/id", {}, {}}, {materials[i].id}, {}};
+      return Error{Fault::DuplicateId,
+                   {file, "/materials/" + std::to_string(i) + "/id", {}, {}},
+                   {materials[i].id},
+                   {}};
   return materials;
 }
 

@@ -9,8 +9,8 @@
 
 namespace glenoid {
 
-/// Materials from a file of their own: {"schemaVersion": …, "materials": […]}, each written as in joint.json. `file` names
-/// it in errors. Fails as parseJson and the joint's schema do, and with DuplicateId.
+/// Materials from a file of their own: {"schemaVersion": …, "materials": […]}, each written as in joint.json.
+/// `file` names it in errors. Fails as parseJson and the joint's schema do, and with DuplicateId.
 Result<std::vector<Material>> parseMaterialLibrary(std::string_view text, const std::string& file);
 
 }  // namespace glenoid

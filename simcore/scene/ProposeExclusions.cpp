@@ -18,7 +18,9 @@ const TriMesh* meshOf(const Joint& joint, const Surface& surface) {
   return (surface.second == SurfaceKind::Visual ? part.visual : part.collision).get();
 }
 
-double wholeArea(const TriMesh& mesh) { return areaOf(mesh, inverted(mesh, {})); }
+double wholeArea(const TriMesh& mesh) {
+  return areaOf(mesh, inverted(mesh, {}));
+}
 
 }  // namespace
 
@@ -37,9 +39,10 @@ std::vector<ExclusionProposal> proposeExclusions(const Joint& joint, const Exclu
   for (const auto& [pair, sides] : bonds) {
     const Part& a = joint.parts[pair.first];
     const Part& b = joint.parts[pair.second];
-    const bool already = std::any_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
-      return (e.partA == a.id && e.partB == b.id) || (e.partA == b.id && e.partB == a.id);
-    });
+    const bool already =
+        std::any_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
+          return (e.partA == a.id && e.partB == b.id) || (e.partA == b.id && e.partB == a.id);
+        });
     if (already || !a.visual || !b.visual) continue;
     ExclusionProposal proposal{a.id, b.id, 0, 0, 0};
     Surface side;
@@ -58,9 +61,11 @@ std::vector<ExclusionProposal> proposeExclusions(const Joint& joint, const Exclu
     const Part& other = side.first == pair.first ? b : a;
     const std::vector<int> near = trianglesNear(mesh, *other.visual, rules.near);
     std::vector<int> bondedNear;
-    std::set_intersection(near.begin(), near.end(), triangles.begin(), triangles.end(), std::back_inserter(bondedNear));
+    std::set_intersection(near.begin(), near.end(), triangles.begin(), triangles.end(),
+                          std::back_inserter(bondedNear));
     if (const double area = areaOf(mesh, near); area > 0) proposal.ofNear = areaOf(mesh, bondedNear) / area;
-    if (proposal.ofPart >= rules.partShare || proposal.ofNear >= rules.nearShare) proposals.push_back(proposal);
+    if (proposal.ofPart >= rules.partShare || proposal.ofNear >= rules.nearShare)
+      proposals.push_back(proposal);
   }
   return proposals;
 }

@@ -8,9 +8,10 @@ namespace glenoid {
 
 class TriangleTree;
 
-/// Triangles of `surface` whose centre lies within `distance` (m, ≥ 0) of the surface `other` or inside it, ascending:
-/// what an author means by "bind what is within d millimetres". Both in one frame at rest. An `other` that is not
-/// closed has no inside that could be told, so it should be closed; an empty one is near to nothing.
+/// Triangles of `surface` whose centre lies within `distance` (m, ≥ 0) of the surface `other` or inside it,
+/// ascending: what an author means by "bind what is within d millimetres". Both in one frame at rest. An
+/// `other` that is not closed has no inside that could be told, so it should be closed; an empty one is near
+/// to nothing.
 std::vector<int> trianglesNear(const TriMesh& surface, const TriMesh& other, double distance);
 
 /// The same with the tree of the other surface at hand, for asking again and again with another distance.

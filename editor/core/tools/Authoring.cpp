@@ -120,7 +120,9 @@ void Authoring::invert() {
   if (m_mesh) select(inverted(*m_mesh, selected()), tr("Invert the selection"));
 }
 
-void Authoring::clear() { select({}, tr("Select no triangles")); }
+void Authoring::clear() {
+  select({}, tr("Select no triangles"));
+}
 
 void Authoring::preview(std::vector<int> triangles) {
   if (triangles == m_preview) return;
@@ -155,7 +157,8 @@ void Authoring::refreshCage() {
   if (!cage) {
     m_follower.reset();
     m_followerJob.drop();
-  } else if (m_tool == Tool::Cage && !(m_follower && m_follower->isFor(m_document.joint().parts[index], *cage))) {
+  } else if (m_tool == Tool::Cage &&
+             !(m_follower && m_follower->isFor(m_document.joint().parts[index], *cage))) {
     m_follower.reset();
     // Coordinates of a cage take seconds where it is concave, so not on the thread that draws.
     m_followerJob.ask([this, starts = m_starts, part = m_document.joint().parts[index],
@@ -185,7 +188,8 @@ void Authoring::setMeanShift(const Vec3& shift_W) {
 Joint Authoring::liveJoint() const {
   Joint joint = m_document.joint();
   for (Cage& cage : joint.cages)
-    if (cage.part == m_picked.part && cage.moved_W.size() == m_cage.moved_W().size()) cage.moved_W = m_cage.moved_W();
+    if (cage.part == m_picked.part && cage.moved_W.size() == m_cage.moved_W().size())
+      cage.moved_W = m_cage.moved_W();
   return joint;
 }
 
@@ -208,7 +212,8 @@ void Authoring::refreshNodes() {
   // Finding the cell of every vertex of a fine surface takes longer than a frame.
   m_nodesJob.ask([this, part, region](const std::atomic<bool>&) -> LatestJob::Answer {
     std::vector<Vec3> nodes;
-    for (const RegionAnchor& anchor : regionAnchors({&part, Vec3::Zero()}, region)) nodes.push_back(anchor.rest_W);
+    for (const RegionAnchor& anchor : regionAnchors({&part, Vec3::Zero()}, region))
+      nodes.push_back(anchor.rest_W);
     return [this, nodes = std::move(nodes)] {
       m_nodes_W = nodes;
       emit looksChanged();
@@ -305,8 +310,10 @@ const VecX* Authoring::stateFor(const std::shared_ptr<const Model>& model) {
         if (object.tool || object.id != m_picked.part || object.layout.rigid) continue;
         const Part& part = m_document.joint().parts[index];
         if (object.volume != part.volume || (m_cage.hasCage() && !m_follower)) continue;
-        const std::vector<Vec3> nodes = m_cage.hasCage() ? m_follower->nodes(m_cage.moved_W()) : part.volume->nodes;
-        for (int i = 0; i < object.layout.nodeCount; ++i) m_state.segment<3>(object.layout.qOffset + 3 * i) = nodes[i];
+        const std::vector<Vec3> nodes =
+            m_cage.hasCage() ? m_follower->nodes(m_cage.moved_W()) : part.volume->nodes;
+        for (int i = 0; i < object.layout.nodeCount; ++i)
+          m_state.segment<3>(object.layout.qOffset + 3 * i) = nodes[i];
       }
   }
   return &m_state;
@@ -325,7 +332,8 @@ void Authoring::decorate(const Model& model, const Viewport& viewport, Layers& l
     if ((m_picked.surface == SurfaceKind::Visual ? object.visual : object.collision).mesh != m_mesh) continue;
     const std::vector<int> triangles = m_select.busy() ? m_select.now() : m_picked.triangles;
     // The tint of a selected part would hide what is picked on it, and where it bends.
-    if (i < static_cast<int>(layers.objects.size())) layers.objects[i].hovered = layers.objects[i].selected = false;
+    if (i < static_cast<int>(layers.objects.size()))
+      layers.objects[i].hovered = layers.objects[i].selected = false;
     if (m_tool != Tool::Select) continue;
     if (!triangles.empty()) layers.marks.push_back({i, m_picked.surface, triangles, kSelected});
     if (!m_preview.empty()) layers.marks.push_back({i, m_picked.surface, m_preview, kPreview});
@@ -345,13 +353,16 @@ void Authoring::decorate(const Model& model, const Viewport& viewport, Layers& l
     for (Strokes& strokes : m_cage.strokes(viewport)) layers.strokes.push_back(std::move(strokes));
   std::vector<Vec2> outline;
   const PickStroke* stroke = m_tool == Tool::Cage ? m_cage.stroke() : m_select.stroke();
-  if (stroke) outline = stroke->outline();
-  else if (m_cursor && mode() == PickMode::Brush) outline = circleOutline(*m_cursor, radius());
+  if (stroke)
+    outline = stroke->outline();
+  else if (m_cursor && mode() == PickMode::Brush)
+    outline = circleOutline(*m_cursor, radius());
   if (outline.size() > 1) {
     Strokes screen;
     screen.onScreen = true;
     const auto end = [](const Vec2& p) {
-      return Strokes::End{Eigen::Vector3f(static_cast<float>(p.x()), static_cast<float>(p.y()), 0), {1.0f, 0.72f, 0.25f, 1}};
+      return Strokes::End{Eigen::Vector3f(static_cast<float>(p.x()), static_cast<float>(p.y()), 0),
+                          {1.0f, 0.72f, 0.25f, 1}};
     };
     for (std::size_t i = 0; i < outline.size(); ++i) {
       screen.lines.push_back(end(outline[i]));

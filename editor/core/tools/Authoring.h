@@ -15,11 +15,10 @@
 
 namespace glenoid {
 
-/// The author's tools in the view: which one has the mouse, what it works on, what it draws over the scene. While one is
-/// active the view shows the joint as it is authored: at rest for picking, since regions and couplings belong there, or
-/// as its cages make it start. Selected triangles lie
-/// outside of the document, as parts that are selected do, but each stroke is a step that undo takes back. GUI thread
-/// only.
+/// The author's tools in the view: which one has the mouse, what it works on, what it draws over the scene.
+/// While one is active the view shows the joint as it is authored: at rest for picking, since regions and
+/// couplings belong there, or as its cages make it start. Selected triangles lie outside of the document, as
+/// parts that are selected do, but each stroke is a step that undo takes back. GUI thread only.
 class Authoring : public QObject {
   Q_OBJECT
  public:
@@ -60,7 +59,8 @@ class Authoring : public QObject {
   // Cages: handles of the target's cage.
   const CageTool& cage() const { return m_cage; }
   void pickHandles(std::set<int> handles);
-  /// The picked handles so that their mean shift from rest is this, m. Steps in a row are one until endGesture().
+  /// The picked handles so that their mean shift from rest is this, m. Steps in a row are one until
+  /// endGesture().
   void setMeanShift(const Vec3& shift_W);
   /// The document's joint with the drag that is under way.
   Joint liveJoint() const;
@@ -83,11 +83,11 @@ class Authoring : public QObject {
 
  signals:
   void toolChanged();
-  void modeChanged();       ///< or the brush's radius
+  void modeChanged();  ///< or the brush's radius
   void targetChanged();
   void selectionChanged();
-  void cageChanged();       ///< handles picked or moved, also in the middle of a drag
-  void looksChanged();      ///< what decorate or stateFor gives
+  void cageChanged();   ///< handles picked or moved, also in the middle of a drag
+  void looksChanged();  ///< what decorate or stateFor gives
 
  private:
   struct Picked {

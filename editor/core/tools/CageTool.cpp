@@ -79,8 +79,10 @@ void CageTool::mark(const Viewport& viewport) {
     }
   }
   if (nearest < 0) return;
-  if (m_subtract) m_picked.erase(nearest);
-  else m_picked.insert(nearest);
+  if (m_subtract)
+    m_picked.erase(nearest);
+  else
+    m_picked.insert(nearest);
 }
 
 void CageTool::move(const Viewport& viewport, const Pointer& pointer) {
@@ -129,12 +131,13 @@ std::vector<Strokes> CageTool::strokes(const Viewport& viewport) const {
     for (int k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
       if (a > b) continue;  // of a closed surface every edge comes once each way
-      for (const int end : {a, b}) cage.lines.push_back({m_moved_W[end].cast<float>(), {0.35f, 0.75f, 0.95f, 0.8f}});
+      for (const int end : {a, b})
+        cage.lines.push_back({m_moved_W[end].cast<float>(), {0.35f, 0.75f, 0.95f, 0.8f}});
     }
   for (int i = 0; i < static_cast<int>(m_moved_W.size()); ++i) {
     const bool on = m_picked.count(i) > 0;
-    cage.dots.push_back({m_moved_W[i].cast<float>(),
-                         on ? std::array<float, 4>{1.0f, 0.60f, 0.15f, 1} : std::array<float, 4>{0.55f, 0.85f, 1.0f, 1}});
+    cage.dots.push_back({m_moved_W[i].cast<float>(), on ? std::array<float, 4>{1.0f, 0.60f, 0.15f, 1}
+                                                        : std::array<float, 4>{0.55f, 0.85f, 1.0f, 1}});
   }
   std::vector<Strokes> all;
   all.push_back(std::move(cage));

@@ -9,9 +9,9 @@
 
 namespace glenoid {
 
-/// Picks and drags the handles of a cage with the mouse. Handles are picked as triangles are (click, box, lasso, brush;
-/// Shift adds, Ctrl subtracts), all of them being in sight; those picked are moved together by a gizmo in their middle.
-/// A state machine without window. Frame W, metres.
+/// Picks and drags the handles of a cage with the mouse. Handles are picked as triangles are (click, box,
+/// lasso, brush; Shift adds, Ctrl subtracts), all of them being in sight; those picked are moved together by
+/// a gizmo in their middle. A state machine without window. Frame W, metres.
 class CageTool {
  public:
   /// The cage as the document has it; handles stay picked while there are as many.

@@ -15,9 +15,12 @@ constexpr double kNear = 0.32, kFar = 0.56;  ///< of a plane's square along its 
 /// The two axes that span a plane's grip.
 std::array<int, 2> axesOfPlane(Gizmo::Grip grip) {
   switch (grip) {
-    case Gizmo::Grip::YZ: return {1, 2};
-    case Gizmo::Grip::ZX: return {2, 0};
-    default: return {0, 1};
+    case Gizmo::Grip::YZ:
+      return {1, 2};
+    case Gizmo::Grip::ZX:
+      return {2, 0};
+    default:
+      return {0, 1};
   }
 }
 
@@ -28,7 +31,8 @@ double distanceToSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - s * along).norm();
 }
 
-std::optional<Vec3> onPlane(const Viewport& viewport, const Vec2& pixel, const Vec3& point, const Vec3& normal) {
+std::optional<Vec3> onPlane(const Viewport& viewport, const Vec2& pixel, const Vec3& point,
+                            const Vec3& normal) {
   const Ray ray = rayThrough(viewport.view, pixel.x(), pixel.y(), viewport.width, viewport.height);
   const double slope = ray.direction_W.dot(normal);
   if (std::abs(slope) < 0.05) return std::nullopt;  // nearly edge on: a pixel would be metres
@@ -45,15 +49,18 @@ Gizmo::Gizmo(const Viewport& viewport, const Vec3& centre_W) : m_viewport(viewpo
 }
 
 Gizmo::Grip Gizmo::at(const Vec2& pixel) const {
-  const auto seen = [this](const Vec3& p) { return projected(m_viewport.view, p, m_viewport.width, m_viewport.height); };
+  const auto seen = [this](const Vec3& p) {
+    return projected(m_viewport.view, p, m_viewport.width, m_viewport.height);
+  };
   const auto middle = seen(m_centre);
   if (!middle) return Grip::None;
   if ((pixel - *middle).norm() <= kMiddlePx) return Grip::Screen;
   for (const Grip grip : {Grip::YZ, Grip::ZX, Grip::XY}) {
     const auto axes = axesOfPlane(grip);
     const Vec3 u = m_length * Vec3::Unit(axes[0]), v = m_length * Vec3::Unit(axes[1]);
-    std::array<std::optional<Vec2>, 4> corners = {seen(m_centre + kNear * u + kNear * v), seen(m_centre + kFar * u + kNear * v),
-                                                  seen(m_centre + kFar * u + kFar * v), seen(m_centre + kNear * u + kFar * v)};
+    std::array<std::optional<Vec2>, 4> corners = {
+        seen(m_centre + kNear * u + kNear * v), seen(m_centre + kFar * u + kNear * v),
+        seen(m_centre + kFar * u + kFar * v), seen(m_centre + kNear * u + kFar * v)};
     int left = 0, right = 0;
     for (int i = 0; i < 4; ++i) {
       if (!corners[i] || !corners[(i + 1) % 4]) continue;
@@ -77,7 +84,8 @@ Gizmo::Grip Gizmo::at(const Vec2& pixel) const {
 
 Vec3 Gizmo::shift(Grip grip, const Vec2& from, const Vec2& to) const {
   switch (grip) {
-    case Grip::None: return Vec3::Zero();
+    case Grip::None:
+      return Vec3::Zero();
     case Grip::X:
     case Grip::Y:
     case Grip::Z: {
@@ -85,10 +93,12 @@ Vec3 Gizmo::shift(Grip grip, const Vec2& from, const Vec2& to) const {
       const Vec3 axis = Vec3::Unit(static_cast<int>(grip) - static_cast<int>(Grip::X));
       const Vec3 gaze = m_centre - m_viewport.view.eye_W;
       const Vec3 normal = (gaze - gaze.dot(axis) * axis).normalized();
-      const auto a = onPlane(m_viewport, from, m_centre, normal), b = onPlane(m_viewport, to, m_centre, normal);
+      const auto a = onPlane(m_viewport, from, m_centre, normal),
+                 b = onPlane(m_viewport, to, m_centre, normal);
       return a && b ? Vec3((*b - *a).dot(axis) * axis) : Vec3(Vec3::Zero());
     }
-    default: break;
+    default:
+      break;
   }
   Vec3 normal = axesOf(m_viewport.view).back_W;
   if (grip != Grip::Screen) {
@@ -101,7 +111,8 @@ Vec3 Gizmo::shift(Grip grip, const Vec2& from, const Vec2& to) const {
 
 Strokes Gizmo::strokes(Grip hot) const {
   // Anterior red, superior green, lateral blue, as the marker in the corner has them.
-  static constexpr std::array<std::array<float, 3>, 3> kColors{{{0.90f, 0.25f, 0.22f}, {0.35f, 0.75f, 0.30f}, {0.30f, 0.50f, 0.95f}}};
+  static constexpr std::array<std::array<float, 3>, 3> kColors{
+      {{0.90f, 0.25f, 0.22f}, {0.35f, 0.75f, 0.30f}, {0.30f, 0.50f, 0.95f}}};
   Strokes out;
   out.linePx = 3;
   out.dotPx = 11;
@@ -117,11 +128,14 @@ Strokes Gizmo::strokes(Grip hot) const {
   };
   for (int axis = 0; axis < 3; ++axis) {
     const auto color = colorOf(static_cast<Grip>(static_cast<int>(Grip::X) + axis), kColors[axis]);
-    const Vec3 along = m_length * Vec3::Unit(axis), u = m_length * Vec3::Unit((axis + 1) % 3), v = m_length * Vec3::Unit((axis + 2) % 3);
+    const Vec3 along = m_length * Vec3::Unit(axis), u = m_length * Vec3::Unit((axis + 1) % 3),
+               v = m_length * Vec3::Unit((axis + 2) % 3);
     line(m_centre, m_centre + along, color);
-    for (const Vec3& side : {u, Vec3(-u), v, Vec3(-v)}) line(m_centre + along, m_centre + 0.84 * along + 0.06 * side, color);
+    for (const Vec3& side : {u, Vec3(-u), v, Vec3(-v)})
+      line(m_centre + along, m_centre + 0.84 * along + 0.06 * side, color);
     const auto plane = colorOf(static_cast<Grip>(static_cast<int>(Grip::YZ) + axis), kColors[axis]);
-    const Vec3 corners[] = {kNear * u + kNear * v, kFar * u + kNear * v, kFar * u + kFar * v, kNear * u + kFar * v};
+    const Vec3 corners[] = {kNear * u + kNear * v, kFar * u + kNear * v, kFar * u + kFar * v,
+                            kNear * u + kFar * v};
     for (int i = 0; i < 4; ++i) line(m_centre + corners[i], m_centre + corners[(i + 1) % 4], plane);
   }
   out.dots.push_back({m_centre.cast<float>(), colorOf(Grip::Screen, {0.92f, 0.92f, 0.92f})});

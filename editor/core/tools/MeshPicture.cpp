@@ -44,7 +44,9 @@ Image meshPicture(const TriMesh& mesh, const Viewport& viewport, const MeshLook&
     const raster::Corner &a = corners[k[0]], &b = corners[k[1]], &c = corners[k[2]];
     if (!(a.inverse > 0 && b.inverse > 0 && c.inverse > 0)) continue;
     const raster::Slope slope = raster::slopeOf(a, b, c);
-    const auto& color = std::binary_search(look.marked.begin(), look.marked.end(), static_cast<int>(t)) ? kMarked : look.color;
+    const auto& color = std::binary_search(look.marked.begin(), look.marked.end(), static_cast<int>(t))
+                            ? kMarked
+                            : look.color;
     const float flat = light(areaVector(mesh, k));
     const std::array<float, 3> sides = {std::hypot(c.x - b.x, c.y - b.y), std::hypot(a.x - c.x, a.y - c.y),
                                         std::hypot(b.x - a.x, b.y - a.y)};
@@ -56,12 +58,14 @@ Image meshPicture(const TriMesh& mesh, const Viewport& viewport, const MeshLook&
       const float wb = ((px - a.x) * (c.y - a.y) - (py - a.y) * (c.x - a.x)) / slope.area;
       const float wc = ((b.x - a.x) * (py - a.y) - (b.y - a.y) * (px - a.x)) / slope.area;
       const std::array<float, 3> w = {1 - wb - wc, wb, wc};
-      float shade = look.smooth ? w[0] * vertexLight[k[0]] + w[1] * vertexLight[k[1]] + w[2] * vertexLight[k[2]] : flat;
+      float shade =
+          look.smooth ? w[0] * vertexLight[k[0]] + w[1] * vertexLight[k[1]] + w[2] * vertexLight[k[2]] : flat;
       if (look.edges)
         for (int i = 0; i < 3; ++i)  // height over an edge in pixels
           if (sides[i] > 0 && w[i] * std::abs(slope.area) / sides[i] < 0.8f) shade *= 0.45f;
       for (int i = 0; i < 3; ++i)
-        image.rgba[4 * pixel + i] = static_cast<unsigned char>(std::lround(255 * std::clamp(color[i] * shade, 0.0f, 1.0f)));
+        image.rgba[4 * pixel + i] =
+            static_cast<unsigned char>(std::lround(255 * std::clamp(color[i] * shade, 0.0f, 1.0f)));
       image.rgba[4 * pixel + 3] = 255;
     });
   }

@@ -20,7 +20,8 @@ bool insidePolygon(const Vec2& p, const std::vector<Vec2>& corners) {
   bool inside = false;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
     const Vec2 &a = corners[i], &b = corners[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()))
       inside = !inside;
   }
   return inside;
@@ -43,13 +44,16 @@ void PickStroke::extend(const Vec2& at) {
 bool PickStroke::covers(const Vec2& p) const {
   if (m_path.empty()) return false;
   switch (m_mode) {
-    case PickMode::Click: return (p - last()).cwiseAbs().maxCoeff() <= 5;
+    case PickMode::Click:
+      return (p - last()).cwiseAbs().maxCoeff() <= 5;
     case PickMode::Box: {
       const Vec2 low = first().cwiseMin(last()), high = first().cwiseMax(last());
       return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
     }
-    case PickMode::Lasso: return m_path.size() > 2 && insidePolygon(p, m_path);
-    case PickMode::Brush: return distanceToSegment(p, previous(), last()) <= m_radius;
+    case PickMode::Lasso:
+      return m_path.size() > 2 && insidePolygon(p, m_path);
+    case PickMode::Brush:
+      return distanceToSegment(p, previous(), last()) <= m_radius;
   }
   return false;
 }
@@ -67,10 +71,14 @@ std::vector<Vec2> circleOutline(const Vec2& centre, double radius) {
 std::vector<Vec2> PickStroke::outline() const {
   if (m_path.empty()) return {};
   switch (m_mode) {
-    case PickMode::Click: return {};
-    case PickMode::Box: return {first(), Vec2(last().x(), first().y()), last(), Vec2(first().x(), last().y())};
-    case PickMode::Lasso: return m_path;
-    case PickMode::Brush: return circleOutline(last(), m_radius);
+    case PickMode::Click:
+      return {};
+    case PickMode::Box:
+      return {first(), Vec2(last().x(), first().y()), last(), Vec2(first().x(), last().y())};
+    case PickMode::Lasso:
+      return m_path;
+    case PickMode::Brush:
+      return circleOutline(last(), m_radius);
   }
   return {};
 }

@@ -16,7 +16,8 @@ struct Pointer {
   bool shift = false, ctrl = false, alt = false;
 };
 
-/// What one press, move and release marks on the screen: a point, a rectangle, a closed curve, or a broad line.
+/// What one press, move and release marks on the screen: a point, a rectangle, a closed curve, or a broad
+/// line.
 class PickStroke {
  public:
   PickStroke() = default;
@@ -27,8 +28,9 @@ class PickStroke {
   const Vec2& first() const { return m_path.front(); }
   const Vec2& last() const { return m_path.back(); }
   const Vec2& previous() const { return m_path.size() > 1 ? m_path[m_path.size() - 2] : m_path.back(); }
-  /// Whether a point of the screen is marked. A brush marks what lies within its radius of the path's last piece, since
-  /// the pieces before have been asked for when they were the last. A click marks a square of five pixels.
+  /// Whether a point of the screen is marked. A brush marks what lies within its radius of the path's last
+  /// piece, since the pieces before have been asked for when they were the last. A click marks a square of
+  /// five pixels.
   bool covers(const Vec2& p) const;
   /// Closed line around what is marked, for drawing; empty for a click.
   std::vector<Vec2> outline() const;

@@ -7,7 +7,8 @@
 #include "editor/core/tools/Viewport.h"
 #include "simcore/mesh/TriMesh.h"
 
-/// Triangles on pixels, on the CPU: for picking and for small pictures, where no window is. Internal to the tools.
+/// Triangles on pixels, on the CPU: for picking and for small pictures, where no window is. Internal to the
+/// tools.
 namespace glenoid::raster {
 
 inline constexpr float kOutside = -1e6f;
@@ -20,8 +21,8 @@ struct Corner {
 std::vector<Corner> cornersOf(const Viewport& viewport, const TriMesh& mesh);
 
 struct Slope {
-  float area = 0;         ///< twice the signed area in pixels; negative: faces the viewer (y runs down)
-  float byX = 0, byY = 0; ///< of 1 / depth
+  float area = 0;          ///< twice the signed area in pixels; negative: faces the viewer (y runs down)
+  float byX = 0, byY = 0;  ///< of 1 / depth
 };
 
 inline Slope slopeOf(const Corner& a, const Corner& b, const Corner& c) {
@@ -35,8 +36,8 @@ inline Slope slopeOf(const Corner& a, const Corner& b, const Corner& c) {
   return s;
 }
 
-/// First and last pixel whose middle is not below `low` or above `high`; rounding by hand, since without SSE 4.1 ceil and
-/// floor are calls that cost more than the small triangle.
+/// First and last pixel whose middle is not below `low` or above `high`; rounding by hand, since without
+/// SSE 4.1 ceil and floor are calls that cost more than the small triangle.
 inline int firstPixel(float low) {
   const float t = std::max(low - 0.5f, 0.0f);
   const int i = static_cast<int>(t);
@@ -50,12 +51,14 @@ inline int lastPixel(float high, int size) {
 
 /// Calls visit(x, y, 1 / depth) for every pixel whose middle lies in the triangle.
 template <class Visit>
-void fill(const Corner& a, const Corner& b, const Corner& c, const Slope& slope, int width, int height, Visit&& visit) {
+void fill(const Corner& a, const Corner& b, const Corner& c, const Slope& slope, int width, int height,
+          Visit&& visit) {
   if (slope.area == 0) return;
   const float lowX = std::min(a.x, std::min(b.x, c.x)), highX = std::max(a.x, std::max(b.x, c.x));
   const float lowY = std::min(a.y, std::min(b.y, c.y)), highY = std::max(a.y, std::max(b.y, c.y));
   if (highX < 0 || highY < 0 || lowX > static_cast<float>(width) || lowY > static_cast<float>(height)) return;
-  const int x0 = firstPixel(lowX), x1 = lastPixel(highX, width), y0 = firstPixel(lowY), y1 = lastPixel(highY, height);
+  const int x0 = firstPixel(lowX), x1 = lastPixel(highX, width), y0 = firstPixel(lowY),
+            y1 = lastPixel(highY, height);
   const float sign = slope.area > 0 ? 1.0f : -1.0f;
   const auto side = [sign](const Corner& p, const Corner& q, float x, float y) {
     return sign * ((q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x));

@@ -39,7 +39,8 @@ ScreenMap::ScreenMap(const Viewport& viewport, const TriMesh& surface,
     float inverse = 0, slack = 0;
   };
   std::vector<Middle> middles(count);
-  // A triangle seen at a grazing angle changes much over a pixel; its own slope says how much, up to a steep limit.
+  // A triangle seen at a grazing angle changes much over a pixel; its own slope says how much, up to a steep
+  // limit.
   const float steepest = static_cast<float>(10 * 2 * std::tan(viewport.view.fieldOfView / 2) / m_height);
   for (std::size_t t = 0; t < count; ++t) {
     const auto& k = surface.triangles[t];
@@ -49,7 +50,8 @@ ScreenMap::ScreenMap(const Viewport& viewport, const TriMesh& surface,
     m_centres[t] = Eigen::Vector2f(a.x + b.x + c.x, a.y + b.y + c.y) / 3;
     if (slope.area < 0) {
       const float inverse = (a.inverse + b.inverse + c.inverse) / 3;
-      middles[t] = {inverse, 1e-4f * inverse + std::min(std::abs(slope.byX) + std::abs(slope.byY), steepest * inverse)};
+      middles[t] = {
+          inverse, 1e-4f * inverse + std::min(std::abs(slope.byX) + std::abs(slope.byY), steepest * inverse)};
     }
     raster::fill(a, b, c, slope, m_width, m_height, [this, t](int x, int y, float inverse) {
       const int pixel = x + y * m_width;
@@ -61,7 +63,8 @@ ScreenMap::ScreenMap(const Viewport& viewport, const TriMesh& surface,
   for (std::size_t t = 0; t < count; ++t) {
     if (middles[t].inverse <= 0) continue;
     const Eigen::Vector2f& centre = m_centres[t];
-    if (!(centre.x() >= 0 && centre.y() >= 0 && centre.x() < static_cast<float>(m_width) && centre.y() < static_cast<float>(m_height)))
+    if (!(centre.x() >= 0 && centre.y() >= 0 && centre.x() < static_cast<float>(m_width) &&
+          centre.y() < static_cast<float>(m_height)))
       continue;
     const int x = static_cast<int>(centre.x()), y = static_cast<int>(centre.y());
     const float nearest = std::max(m_own[x + y * m_width], m_others[x + y * m_width]);

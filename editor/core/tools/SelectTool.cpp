@@ -5,7 +5,8 @@
 
 namespace glenoid {
 
-void SelectTool::setTarget(std::shared_ptr<const TriMesh> surface, std::vector<std::shared_ptr<const TriMesh>> others) {
+void SelectTool::setTarget(std::shared_ptr<const TriMesh> surface,
+                           std::vector<std::shared_ptr<const TriMesh>> others) {
   if (surface == m_surface && others == m_others) return;
   cancel();
   m_surface = std::move(surface);
@@ -13,7 +14,9 @@ void SelectTool::setTarget(std::shared_ptr<const TriMesh> surface, std::vector<s
   m_map.reset();
 }
 
-void SelectTool::setRadius(double radius) { m_radius = std::clamp(radius, 2.0, 200.0); }
+void SelectTool::setRadius(double radius) {
+  m_radius = std::clamp(radius, 2.0, 200.0);
+}
 
 const ScreenMap& SelectTool::mapFor(const Viewport& viewport) {
   if (!m_map || !sameViewport(viewport, m_viewport)) {
@@ -54,18 +57,21 @@ std::vector<int> SelectTool::release(const Pointer& pointer) {
 void SelectTool::mark() {
   const PickStroke& stroke = *m_stroke;
   const char value = m_subtract ? 0 : 1;
-  // What is under the cursor, and under its way since the last event: a triangle may be larger than the brush, and its
-  // centre alone would miss it.
+  // What is under the cursor, and under its way since the last event: a triangle may be larger than the
+  // brush, and its centre alone would miss it.
   if (stroke.mode() == PickMode::Click || stroke.mode() == PickMode::Brush) {
-    const Vec2 way = stroke.mode() == PickMode::Brush ? Vec2(stroke.last() - stroke.previous()) : Vec2(Vec2::Zero());
+    const Vec2 way =
+        stroke.mode() == PickMode::Brush ? Vec2(stroke.last() - stroke.previous()) : Vec2(Vec2::Zero());
     const int steps = 1 + static_cast<int>(way.norm() / 3);
     for (int i = 0; i < steps; ++i)
-      if (const int t = m_map->triangleAt(stroke.last() - way * i / steps, m_through); t >= 0) m_flags[t] = value;
+      if (const int t = m_map->triangleAt(stroke.last() - way * i / steps, m_through); t >= 0)
+        m_flags[t] = value;
   }
   if (stroke.mode() == PickMode::Click) return;
   const auto& centres = m_map->centres();
   for (std::size_t t = 0; t < centres.size(); ++t)
-    if ((m_through || m_map->seen(static_cast<int>(t))) && stroke.covers(centres[t].cast<double>())) m_flags[t] = value;
+    if ((m_through || m_map->seen(static_cast<int>(t))) && stroke.covers(centres[t].cast<double>()))
+      m_flags[t] = value;
 }
 
 std::vector<int> SelectTool::now() const {

@@ -9,9 +9,9 @@
 
 namespace glenoid {
 
-/// Picks triangles of one surface with the mouse: what is under a click, in a box or a lasso, or under a brush. Shift
-/// adds to what was selected, Ctrl takes from it, neither begins anew; Alt also takes what is hidden or turned away. A
-/// state machine without window: press, moves, release. Frame W at rest.
+/// Picks triangles of one surface with the mouse: what is under a click, in a box or a lasso, or under a
+/// brush. Shift adds to what was selected, Ctrl takes from it, neither begins anew; Alt also takes what is
+/// hidden or turned away. A state machine without window: press, moves, release. Frame W at rest.
 class SelectTool {
  public:
   /// What is picked from, and what may hide it. Ends a stroke that is under way.

@@ -7,7 +7,8 @@ namespace glenoid {
 
 Result<std::shared_ptr<const CageFollower>> CageFollower::make(const Part& part, const Cage& cage) {
   if (!part.volume || part.volume->tets.empty() || !part.collision)
-    return Error{Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a cage around a part without tetrahedra"};
+    return Error{
+        Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a cage around a part without tetrahedra"};
   auto weights = cageWeights({cage.rest_W, cage.triangles}, part.volume->nodes);
   if (!weights) {
     weights.error().place.part = part.id;

@@ -13,8 +13,8 @@
 
 namespace glenoid {
 
-/// A soft part that follows its cage while handles move: the coordinates are computed once, for the cage at rest.
-/// Frames: W, m. Constant once made; any number of threads may ask.
+/// A soft part that follows its cage while handles move: the coordinates are computed once, for the cage at
+/// rest. Frames: W, m. Constant once made; any number of threads may ask.
 class CageFollower {
  public:
   /// Fails as cageWeights does; the place names the part. The part needs a volume.
@@ -35,8 +35,8 @@ class CageFollower {
   std::vector<VertexBinding> m_bound;
 };
 
-/// Followers of a joint's parts, kept while their cages at rest stay, for asking again and again with other handles.
-/// Threads: any; one works at a time.
+/// Followers of a joint's parts, kept while their cages at rest stay, for asking again and again with other
+/// handles. Threads: any; one works at a time.
 class StartSurfaces {
  public:
   /// Fails as CageFollower::make does.

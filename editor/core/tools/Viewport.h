@@ -12,7 +12,8 @@ struct Viewport {
 
 inline bool sameViewport(const Viewport& a, const Viewport& b) {
   return a.width == b.width && a.height == b.height && a.view.eye_W == b.view.eye_W &&
-         a.view.target_W == b.view.target_W && a.view.up_W == b.view.up_W && a.view.fieldOfView == b.view.fieldOfView;
+         a.view.target_W == b.view.target_W && a.view.up_W == b.view.up_W &&
+         a.view.fieldOfView == b.view.fieldOfView;
 }
 
 }  // namespace glenoid

@@ -134,7 +134,7 @@ TEST_F(CouplingTools, regionsAreNamedSets) {
   ASSERT_EQ(regions->count(), 1);
   regions->item(0)->setText(QStringLiteral("Front"));
   EXPECT_EQ(document.joint().parts[1].regions[0].name, "Front");
-  QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier);
+  QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(authoring().selected().size() + grown.size(), 192u);
   regions->setCurrentRow(0);
   EXPECT_EQ(authoring().selected(), grown) << "choosing the set selects it";
