@@ -20,7 +20,7 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
   const Outcome outcome = glenoidProgram("--help");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.err, "");
-  for (const char* command : {"run", "render", "joint", "replay", "bench"})
+  for (const char* command : {"run", "render", "joint", "replay", "export", "bench"})
     EXPECT_NE(outcome.out.find(std::string("\n  ") + command), std::string::npos) << outcome.out;
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <ctime>
 #include <limits>
 #include <set>
 
@@ -291,6 +293,25 @@ TEST(FindProblems, stopsWhenAskedTo) {
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().fault, Fault::Cancelled);
   EXPECT_EQ(asked, 3);
+}
+
+TEST(FindProblems, ofHalfAMillionTrianglesASecondLookCostsOnlyWhatChanged) {
+  Joint joint = soundJoint();
+  const Box3 box = boundsOf(*joint.parts[0].visual);
+  joint.parts[0].visual = std::make_shared<const TriMesh>(scenes::boxSurface(box.min(), box.max(), 205));
+  ASSERT_GT(joint.parts[0].visual->triangles.size(), 500000u);
+  ProblemFinder finder;
+  const auto seconds = [&] {
+    const std::clock_t before = std::clock();
+    EXPECT_TRUE(finder.find(joint)->problems.empty());
+    return static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  };
+  const double first = seconds();
+  joint.couplings[0].damping *= 2;
+  const double second = seconds();
+  std::printf("first look %.2f s, after an edit %.2f s of CPU time\n", first, second);
+  EXPECT_LT(first, 10);
+  EXPECT_LT(second, 0.5 * first);
 }
 
 TEST(FindProblems, remembersMeshesBetweenChecks) {
