@@ -2938,8 +2938,8 @@
 <context>
     <name>glenoid::PropertiesPanel</name>
     <message>
-        <source>No scene is open. Choose File ▸ Open… to begin.</source>
-        <translation>No hay ninguna escena abierta. Elija Archivo ▸ Abrir… para empezar.</translation>
+        <source>No scene is open. Choose File ▸ Open… to begin, or File ▸ Import surfaces… to make a joint of your own.</source>
+        <translation>No hay ninguna escena abierta. Elija Archivo ▸ Abrir… para empezar, o Archivo ▸ Importar superficies… para hacer una articulación propia.</translation>
     </message>
     <message>
         <source>Scene</source>

@@ -101,7 +101,7 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
   const Joint& joint = m_document.joint();
   const Scenario& scenario = m_document.scenario();
   if (m_document.isEmpty()) {
-    layout.addWidget(label(tr("No scene is open. Choose File ▸ Open… to begin."), "hint"));
+    layout.addWidget(label(tr("No scene is open. Choose File ▸ Open… to begin, or File ▸ Import surfaces… to make a joint of your own."), "hint"));
     return;
   }
   layout.addWidget(label(scenario.name.empty() ? anatomyName(joint.name) : text(scenario.name), "title"));
