@@ -127,6 +127,7 @@ void MainWindow::makeDocks() {
     addDockWidget(area, made);
     m_docks.push_back(made);
   };
+  setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // along the side there is room for all their names
   dock("parts", m_tree, Qt::LeftDockWidgetArea);
   dock("layers", m_layers, Qt::LeftDockWidgetArea);
   dock("properties", m_properties, Qt::RightDockWidgetArea);
