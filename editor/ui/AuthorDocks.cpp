@@ -167,7 +167,7 @@ void AuthorDocks::makeActions(Actions& actions) {
           },
           [this] { m_authoring.clear(); })};
   QAction* invert = step(
-      "author.invert", "pick-invert", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
+      "author.invert", "pick-invert", QKeySequence(Qt::CTRL | Qt::Key_I),
       [] {
         return Actions::Words{tr("&Invert"), tr("Select all other triangles")};
       },

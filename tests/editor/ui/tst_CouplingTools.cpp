@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTreeWidget>
+#include <map>
 
 #include "editor/ui/AuthorDocks.h"
 #include "tests/editor/ui/GuiTest.h"
@@ -134,12 +135,23 @@ TEST_F(CouplingTools, regionsAreNamedSets) {
   ASSERT_EQ(regions->count(), 1);
   regions->item(0)->setText(QStringLiteral("Front"));
   EXPECT_EQ(document.joint().parts[1].regions[0].name, "Front");
-  QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier | Qt::ShiftModifier);
+  QTest::keyClick(window.get(), Qt::Key_I, Qt::ControlModifier);
   EXPECT_EQ(authoring().selected().size() + grown.size(), 192u);
   regions->setCurrentRow(0);
   EXPECT_EQ(authoring().selected(), grown) << "choosing the set selects it";
   press("couplings.removeRegion");
   EXPECT_TRUE(document.joint().parts[1].regions.empty());
+}
+
+TEST_F(CouplingTools, noTwoActionsOfTheWindowShareAKey) {
+  std::map<QString, QString> owner;
+  for (const QAction* each : window->findChildren<QAction*>())
+    for (const QKeySequence& key : each->shortcuts()) {
+      const auto [it, isNew] = owner.try_emplace(key.toString(), each->objectName());
+      EXPECT_TRUE(isNew || it->second == each->objectName())
+          << key.toString().toStdString() << ": " << it->second.toStdString() << " and " << each->objectName().toStdString();
+    }
+  EXPECT_GT(owner.size(), 20u);
 }
 
 TEST_F(CouplingTools, boxLassoThroughAndEscape) {
