@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTreeWidget>
+#include <map>
 
 #include "editor/ui/AuthorDocks.h"
 #include "tests/editor/ui/GuiTest.h"
@@ -140,6 +141,17 @@ TEST_F(CouplingTools, regionsAreNamedSets) {
   EXPECT_EQ(authoring().selected(), grown) << "choosing the set selects it";
   press("couplings.removeRegion");
   EXPECT_TRUE(document.joint().parts[1].regions.empty());
+}
+
+TEST_F(CouplingTools, noTwoActionsOfTheWindowShareAKey) {
+  std::map<QString, QString> owner;
+  for (const QAction* each : window->findChildren<QAction*>())
+    for (const QKeySequence& key : each->shortcuts()) {
+      const auto [it, isNew] = owner.try_emplace(key.toString(), each->objectName());
+      EXPECT_TRUE(isNew || it->second == each->objectName())
+          << key.toString().toStdString() << ": " << it->second.toStdString() << " and " << each->objectName().toStdString();
+    }
+  EXPECT_GT(owner.size(), 20u);
 }
 
 TEST_F(CouplingTools, boxLassoThroughAndEscape) {
