@@ -211,7 +211,10 @@ TEST_F(DocumentTools, aProblemIsShownAndFixedFromTheList) {
   window->openScene(QStringLiteral("inside out"));
   clickTab(QStringLiteral("Problems"));
   auto* list = child<QListWidget>("problemList");
-  ASSERT_TRUE(until([&] { return list->count() > 1 && !window->problems().isChecking(); })) << "it hangs on nothing, and more";
+  // The list of the scene before stands there until the new one has been opened and looked at.
+  ASSERT_TRUE(until([&] {
+    return list->count() > 1 && !window->problems().isChecking() && list->item(0)->text().contains(QStringLiteral("wound inwards"));
+  })) << "it hangs on nothing, and more";
   ASSERT_TRUE(list->item(0)->text().contains(QStringLiteral("wound inwards"))) << list->item(0)->text().toStdString();
   EXPECT_FALSE(list->item(0)->icon().isNull());
   EXPECT_TRUE(list->item(0)->data(Qt::AccessibleTextRole).toString().startsWith(QStringLiteral("Error: ")));
