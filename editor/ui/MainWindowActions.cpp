@@ -40,7 +40,7 @@ void MainWindow::makeFileActions() {
   m_actions.add("openJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
                 [] { return Actions::Words{tr("Open a &joint…"), tr("Open a .joint folder")}; },
                 [this] { askForJointFolder(); });
-  m_actions.add("import", {}, {QKeySequence(Qt::CTRL | Qt::Key_I)},
+  m_actions.add("import", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I)},
                 [] { return Actions::Words{tr("&Import surfaces…"), tr("Bring in surface meshes of other programs")}; },
                 [this] { askForSurfaces(); });
   for (const char* name : kBuiltins) {

@@ -25,7 +25,7 @@ struct Grid {
     values.resize(std::size_t(nx) * ny * nz);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const float v = float(field(at(long(i))));
-      values[i] = v == 0 ? float(1e-6 * h) : v;  // a node on the surface would make flat triangles
+      values[i] = v == 0 ? 1e-6f : v;  // a node on the surface would make flat triangles
     }
   }
   long index(int x, int y, int z) const { return x + long(nx) * (y + long(ny) * z); }

@@ -129,7 +129,7 @@ TEST(Schema, newerVersionsAreNamedBeforeAnythingElse) {
     ASSERT_FALSE(valid.ok());
     EXPECT_EQ(valid.error().fault, Fault::NewerSchema);
     EXPECT_EQ(valid.error().place.pointer, "/schemaVersion");
-    EXPECT_EQ(valid.error().arguments, (Arguments{"7", "1"}));
+    EXPECT_EQ(valid.error().arguments, (Arguments{"7", std::to_string(schemaVersion(schema))}));
   }
   EXPECT_EQ(validate(*parseJson(R"({"schemaVersion": 1e300})", "t"), Schema::Joint, "f").error().fault,
             Fault::NewerSchema);
