@@ -179,7 +179,7 @@ void PropertiesPanel::showMaterials(QVBoxLayout& layout, const Part& part) {
     QFormLayout* form = group(layout, tr("Material: %1").arg(anatomyName(material.name)));
     if (!use.region.empty()) {
       const Region* region = findRegion(part, use.region);
-      form->addRow(tr("Where:"), label(text(region ? region->name : use.region)));
+      form->addRow(tr("Where:"), label(text(region && !region->name.empty() ? region->name : use.region)));
     }
     form->addRow(tr("Density:"), label(tr("%1 kg/m³").arg(number(material.density, 0))));
     if (part.kind == PartKind::Soft) {
@@ -215,7 +215,7 @@ void PropertiesPanel::showCouplings(QVBoxLayout& layout, const Part& part) {
     QFormLayout* form = group(layout, tr("Coupled to %1").arg(anatomyName(other < 0 ? otherId : joint.parts[other].name)));
     const int owner = findPart(joint, coupling.partA);
     const Region* region = owner < 0 ? nullptr : findRegion(joint.parts[owner], coupling.regionA);
-    form->addRow(tr("Over:"), label(text(region ? region->name : coupling.regionA)));
+    form->addRow(tr("Over:"), label(text(region && !region->name.empty() ? region->name : coupling.regionA)));
     if (region) {
       form->addRow(tr("Area:"), label(tr("%1 mm²").arg(number(1e6 * areaOf(joint.parts[owner], *region), 0))));
     }

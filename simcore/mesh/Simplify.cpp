@@ -122,8 +122,8 @@ Result<TriMesh> simplify(const TriMesh& mesh, int targetTriangles, const Simplif
   // that cuts itself to begin with.
   const CollapseRules strict, loose{0.0, 0.05, -0.9, 0.1, false}, last{-0.2, 0.01, -0.99, 0.2, false},
       any{-1, 1e-3, -1, 0.5, true};
-  // Far from the goal triangles are small beside the surface's features: none will come to cut another.
-  if (large) collapser.run(first, CollapseRules{strict.minTurn, strict.minShape, strict.minDihedral, strict.maxVolumeLoss, true});
+  // Far from the goal the triangles of a huge surface are small beside its features: none will come to cut another.
+  if (huge) collapser.run(first, CollapseRules{strict.minTurn, strict.minShape, strict.minDihedral, strict.maxVolumeLoss, true});
   for (const CollapseRules& rules : {strict, loose, last, any}) collapser.run(targetTriangles, rules);
   const TriMesh result = collapser.result();
   return options.keepVolume ? withVolume(result, enclosedVolume(mesh)) : result;
