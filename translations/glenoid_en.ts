@@ -398,6 +398,13 @@
             <numerusform>%n steps could not be taken; the last good state was kept</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Delete %n part(s)</source>
+        <translation>
+            <numerusform>Delete %n part</numerusform>
+            <numerusform>Delete %n parts</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glenoid::ProblemsPanel</name>

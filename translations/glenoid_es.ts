@@ -2554,6 +2554,21 @@
         <source>Untitled joint</source>
         <translation>Articulación sin título</translation>
     </message>
+    <message>
+        <source>&amp;Delete parts</source>
+        <translation>&amp;Eliminar partes</translation>
+    </message>
+    <message>
+        <source>Delete the selected parts with everything that refers to them</source>
+        <translation>Eliminar las partes seleccionadas con todo lo que se refiere a ellas</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n part(s)</source>
+        <translation>
+            <numerusform>Eliminar %n parte</numerusform>
+            <numerusform>Eliminar %n partes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PartEdits</name>
@@ -3176,6 +3191,34 @@
     <message>
         <source>free</source>
         <translation>libre</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nombre:</translation>
+    </message>
+    <message>
+        <source>Colour:</source>
+        <translation>Color:</translation>
+    </message>
+    <message>
+        <source>Name of the part</source>
+        <translation>Nombre de la parte</translation>
+    </message>
+    <message>
+        <source>Number of the part</source>
+        <translation>Número de la parte</translation>
+    </message>
+    <message>
+        <source>As printed in tables; no two parts have the same</source>
+        <translation>Como aparece en las tablas; no hay dos partes con el mismo</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Elegir…</translation>
+    </message>
+    <message>
+        <source>Colour of the part</source>
+        <translation>Color de la parte</translation>
     </message>
 </context>
 <context>

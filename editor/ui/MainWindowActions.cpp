@@ -9,7 +9,9 @@
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <algorithm>
 
+#include "editor/core/PartEdits.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/AuthorDocks.h"
 #include "editor/ui/Language.h"
@@ -88,6 +90,23 @@ void MainWindow::makeEditActions() {
   connect(&undo, &QUndoStack::indexChanged, this, refresh);
   connect(&undo, &QUndoStack::cleanChanged, this, refresh);
   refresh();
+  QAction* remove = m_actions.add("deleteParts", {}, {QKeySequence(QKeySequence::Delete)},
+                [] { return Actions::Words{tr("&Delete parts"), tr("Delete the selected parts with everything that refers to them")}; },
+                [this] {
+                  std::set<std::string> parts = m_selection.ids();
+                  std::erase_if(parts, [this](const std::string& id) { return findPart(m_document.joint(), id) < 0; });
+                  if (parts.empty()) return;
+                  m_selection.clear();
+                  m_document.undoStack().beginMacro(tr("Delete %n part(s)", nullptr, static_cast<int>(parts.size())));
+                  for (const std::string& part : parts) removePart(m_document, part);
+                  m_document.undoStack().endMacro();
+                });
+  const auto mayDelete = [this, remove] {
+    const std::set<std::string> ids = m_selection.ids();
+    remove->setEnabled(std::any_of(ids.begin(), ids.end(), [this](const std::string& id) { return findPart(m_document.joint(), id) >= 0; }));
+  };
+  connect(&m_selection, &Selection::changed, this, mayDelete);
+  mayDelete();
   m_actions.add("selectNone", {}, {QKeySequence(Qt::Key_Escape)},
                 [] { return Actions::Words{tr("Select &nothing"), tr("Clear the selection")}; },
                 [this] { m_selection.clear(); });
@@ -211,7 +230,7 @@ void MainWindow::makeMenus() {
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
   fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});
-  fill(menu(), {"undo", "redo", "-", "selectNone"});
+  fill(menu(), {"undo", "redo", "-", "deleteParts", "selectNone"});
   QMenu* view = menu();
   fill(view, {"frame", "frameAll", "home"});
   m_sideMenu = view->addMenu(themedIcon("view"), QString());

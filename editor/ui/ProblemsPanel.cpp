@@ -43,12 +43,16 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemWatch& watch, QWidget* p
   m_list->setTextElideMode(Qt::ElideNone);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  m_advice = new QLabel;  // wraps, where the text of a button would widen the whole dock
+  m_advice->setObjectName(QStringLiteral("fixAdvice"));
+  m_advice->setWordWrap(true);
   m_fix = new QPushButton;
   m_fix->setObjectName(QStringLiteral("fixProblem"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->addWidget(m_summary);
   layout->addWidget(m_list, 1);
+  layout->addWidget(m_advice);
   layout->addWidget(m_fix);
   connect(&watch, &ProblemWatch::changed, this, &ProblemsPanel::rebuild);
   connect(&watch, &ProblemWatch::checkingChanged, this, &ProblemsPanel::refresh);
@@ -104,8 +108,9 @@ void ProblemsPanel::refresh() {
   const QString fix = problem ? fixTitleOf(*problem, m_document.joint()) : QString();
   // What was found before the last change may be gone already.
   m_fix->setEnabled(!fix.isEmpty() && !m_watch.isChecking());
-  m_fix->setText(fix.isEmpty() ? tr("Fix") : tr("Fix: %1").arg(fix));
-  m_fix->setToolTip(problem && fix.isEmpty() ? tr("This one needs your judgement.") : QString());
+  m_fix->setText(tr("Fix"));
+  m_fix->setToolTip(fix);
+  m_advice->setText(!problem ? QString() : fix.isEmpty() ? tr("This one needs your judgement.") : tr("Fix: %1").arg(fix));
 }
 
 void ProblemsPanel::changeEvent(QEvent* event) {

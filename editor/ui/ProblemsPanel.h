@@ -35,6 +35,7 @@ class ProblemsPanel : public QWidget {
   ProblemWatch& m_watch;
   QLabel* m_summary;
   QListWidget* m_list;
+  QLabel* m_advice = nullptr;
   QPushButton* m_fix;
 };
 

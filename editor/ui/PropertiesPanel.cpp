@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/PropertiesPanel.h"
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPixmap>
+#include <QPushButton>
 #include <QScopedValueRollback>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/PartEdits.h"
 #include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Numbers.h"
@@ -131,7 +137,9 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
 void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   layout.addWidget(label(anatomyName(part.name), "title"));
   QFormLayout* form = group(layout, tr("Part"));
-  form->addRow(tr("Number:"), label(QString::number(part.number)));
+  form->addRow(tr("Name:"), nameField(part));
+  form->addRow(tr("Number:"), numberField(part));
+  form->addRow(tr("Colour:"), colorButton(part));
   form->addRow(tr("Kind:"), label(part.kind == PartKind::Soft ? tr("soft") : tr("rigid")));
   form->addRow(tr("Movement:"), movementBox(part));
   if (part.visual) form->addRow(tr("Visual triangles:"), label(number(part.visual->triangles.size())));
@@ -153,6 +161,47 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   }
   showMaterials(layout, part);
   showCouplings(layout, part);
+}
+
+QLineEdit* PropertiesPanel::nameField(const Part& part) {
+  auto* name = new QLineEdit(text(part.name));
+  name->setObjectName(QStringLiteral("partName"));
+  name->setAccessibleName(tr("Name of the part"));
+  connect(name, &QLineEdit::editingFinished, this, [this, name, id = part.id] {
+    if (!name->text().trimmed().isEmpty()) renamePart(m_document, id, name->text().trimmed());
+  });
+  return name;
+}
+
+QSpinBox* PropertiesPanel::numberField(const Part& part) {
+  auto* box = new QSpinBox;
+  box->setObjectName(QStringLiteral("partNumber"));
+  box->setAccessibleName(tr("Number of the part"));
+  box->setToolTip(tr("As printed in tables; no two parts have the same"));
+  box->setRange(1, 1000000);
+  box->setValue(part.number);
+  box->setFocusPolicy(Qt::StrongFocus);
+  connect(box, &QSpinBox::editingFinished, this, [this, box, id = part.id, number = part.number] {
+    // One that another part has is put back.
+    if (box->value() != number && !setPartNumber(m_document, id, box->value())) box->setValue(number);
+  });
+  return box;
+}
+
+QPushButton* PropertiesPanel::colorButton(const Part& part) {
+  const QColor color = QColor::fromRgbF(part.color[0], part.color[1], part.color[2]);
+  QPixmap swatch(32, 14);
+  swatch.fill(color);
+  auto* button = new QPushButton(QIcon(swatch), tr("Choose…"));
+  button->setIconSize(swatch.size());
+  button->setObjectName(QStringLiteral("partColor"));
+  button->setAccessibleName(tr("Colour of the part"));
+  connect(button, &QPushButton::clicked, this, [this, color, id = part.id] {
+    const QColor chosen = QColorDialog::getColor(color, this, tr("Colour of the part"));
+    if (chosen.isValid())
+      setPartColor(m_document, id, {static_cast<float>(chosen.redF()), static_cast<float>(chosen.greenF()), static_cast<float>(chosen.blueF())});
+  });
+  return button;
 }
 
 QComboBox* PropertiesPanel::movementBox(const Part& part) {

@@ -6,12 +6,15 @@
 #include "editor/core/Selection.h"
 
 class QComboBox;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
 class QVBoxLayout;
 
 namespace glenoid {
 
-/// What is known about the selected part or tool, in millimetres and kilopascals; stiffnesses and how a
-/// part moves can be edited, each edit is one undo step. Without a selection: the scene as a whole and its effects.
+/// What is known about the selected part or tool, in millimetres and kilopascals; name, number and
+/// colour of a part, stiffnesses and how it moves can be edited, each edit is one undo step. Without a selection: the scene as a whole and its effects.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
  public:
@@ -25,6 +28,9 @@ class PropertiesPanel : public QScrollArea {
   void showScene(QVBoxLayout& layout);
   void showPart(QVBoxLayout& layout, const Part& part);
   void showTool(QVBoxLayout& layout, const Tool& tool);
+  QLineEdit* nameField(const Part& part);
+  QSpinBox* numberField(const Part& part);
+  QPushButton* colorButton(const Part& part);
   QComboBox* movementBox(const Part& part);
   void showMaterials(QVBoxLayout& layout, const Part& part);
   void showCouplings(QVBoxLayout& layout, const Part& part);

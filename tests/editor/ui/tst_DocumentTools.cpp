@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
@@ -12,6 +13,7 @@
 #include <QProcess>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -207,6 +209,39 @@ TEST_F(DocumentTools, savedLoadedAndRunByKeyboard) {
   QTest::keyClick(window.get(), Qt::Key_Space);
 }
 
+TEST_F(DocumentTools, partsAreNamedNumberedAndDeleted) {
+  const std::string before = hash();
+  selection.select("block");
+  auto* name = child<QLineEdit>("partName");
+  ASSERT_TRUE(name);
+  name->setFocus();
+  name->selectAll();
+  QTest::keyClicks(name, QStringLiteral("Infraspinatus"));
+  QTest::keyClick(name, Qt::Key_Return);
+  EXPECT_EQ(part("block").name, "Infraspinatus");
+  const int number = part("block").number, taken = part("plate").number;
+  auto* box = child<QSpinBox>("partNumber");
+  ASSERT_TRUE(box);
+  box->setFocus();
+  box->selectAll();
+  QTest::keyClicks(box, QString::number(taken));
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_EQ(part("block").number, number) << "the number of another part is put back";
+  box = child<QSpinBox>("partNumber");
+  box->setFocus();
+  box->selectAll();
+  QTest::keyClicks(box, QStringLiteral("77"));
+  QTest::keyClick(box, Qt::Key_Return);
+  EXPECT_EQ(part("block").number, 77);
+  backToWindow();
+  selection.select("block");
+  QTest::keyClick(window.get(), Qt::Key_Delete);
+  EXPECT_LT(findPart(document.joint(), "block"), 0);
+  EXPECT_TRUE(selection.ids().empty());
+  while (document.undoStack().canUndo()) QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(hash(), before);
+}
+
 TEST_F(DocumentTools, aProblemIsShownAndFixedFromTheList) {
   window->openScene(QStringLiteral("inside out"));
   clickTab(QStringLiteral("Problems"));
@@ -224,7 +259,7 @@ TEST_F(DocumentTools, aProblemIsShownAndFixedFromTheList) {
   EXPECT_EQ(selection.current(), "plate") << "a double click selects the part";
   EXPECT_GT((window->view()->view().eye_W - eye).norm(), 1e-3) << "and brings it into view";
   auto* fix = child<QPushButton>("fixProblem");
-  EXPECT_TRUE(fix->text().contains(QStringLiteral("Turn the visual surface")));
+  EXPECT_TRUE(child<QLabel>("fixAdvice")->text().contains(QStringLiteral("Turn the visual surface")));
   QTest::mouseClick(fix, Qt::LeftButton);
   ASSERT_TRUE(until([this] { return document.undoStack().count() == 1; }));
   ASSERT_TRUE(until([&] { return !window->problems().isChecking(); }));
