@@ -306,6 +306,19 @@ bool setBody(Document& document, const std::string& part, const BodyWish& wish, 
   return true;
 }
 
+std::array<float, 3> usualColor(Appearance appearance) {
+  switch (appearance) {
+    case Appearance::Bone: return {0.89f, 0.85f, 0.76f};
+    case Appearance::Cartilage: return {0.84f, 0.87f, 0.9f};
+    case Appearance::Muscle: return {0.66f, 0.26f, 0.23f};
+    case Appearance::Tendon: return {0.9f, 0.87f, 0.8f};
+    case Appearance::Ligament: return {0.87f, 0.83f, 0.7f};
+    case Appearance::Skin: return {0.85f, 0.66f, 0.56f};
+    case Appearance::Plain: break;
+  }
+  return Part{}.color;
+}
+
 bool setMaterial(Document& document, const std::string& part, const Material& material) {
   const int index = findPart(document.joint(), part);
   if (index < 0) return false;
@@ -314,13 +327,17 @@ bool setMaterial(Document& document, const std::string& part, const Material& ma
   if (known && !uses.empty() && uses[0].material == material.id && uses[0].region.empty()) return false;
   ChangeSet changes = ofParts({part});
   changes.materials = {material.id};
+  const std::array<float, 3> usual = usualColor(appearanceOf(document.joint(), document.joint().parts[index]));
   document.edit(
       AuthorEdits::tr("Make %1 of “%2”").arg(nameOf(document.joint(), part), anatomyName(material.name)),
       changes, [&](Scene& scene) {
         if (!known) scene.joint.materials.push_back(material);
-        auto& own = scene.joint.parts[index].materials;
+        Part& changed = scene.joint.parts[index];
+        auto& own = changed.materials;
         if (own.empty() || !own[0].region.empty()) own.insert(own.begin(), MaterialUse{});
         own[0] = {material.id, {}};
+        // A colour that nobody chose goes with the tissue.
+        if (changed.color == usual) changed.color = usualColor(material.appearance);
       });
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <QString>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,7 +63,10 @@ bool setStart(Document& document, const std::vector<Cage>& cages, const std::opt
 /// Nothing is done where a region that something refers to would be lost.
 bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body);
 
-/// The part's main material becomes this one, which joins the joint where its id is not known there yet.
+/// What a part of such a tissue is coloured where its author did not choose; sRGB.
+std::array<float, 3> usualColor(Appearance appearance);
+/// The part's main material becomes this one, which joins the joint where its id is not known there yet. A part in the
+/// usual colour of its old tissue takes that of the new one.
 bool setMaterial(Document& document, const std::string& part, const Material& material);
 /// A copy of the part's main material of its own, to be changed freely; id of it, empty where there is none.
 std::string ownMaterial(Document& document, const std::string& part);

@@ -5,6 +5,7 @@
 #include <QThreadPool>
 #include <algorithm>
 
+#include "editor/core/AuthorEdits.h"
 #include "editor/core/Sentences.h"
 
 namespace glenoid {
@@ -290,7 +291,7 @@ std::vector<std::string> ImportSession::apply(Document& document) const {
     part.id = partIdFor(row.name, after.joint);
     part.number = ++number;
     part.name = row.name.toStdString();
-    part.color = {0.89f, 0.85f, 0.76f};
+    part.color = usualColor(Appearance::Bone);
     part.materials = {{bone, {}}};
     part.visual = m_shift_W.isZero(0) ? row.result : std::make_shared<const TriMesh>(placed(*row.result, 1, {}, m_shift_W));
     part.collision = part.visual;

@@ -48,6 +48,25 @@ TEST_F(AuthorEditsTest, aCouplingMakesItsRegionInOneStep) {
   EXPECT_EQ(addCoupling(document, wish), "left-right-2") << "several couplings between one pair";
 }
 
+TEST_F(AuthorEditsTest, aColourThatNobodyChoseGoesWithTheTissue) {
+  Material muscle;
+  muscle.id = "muscle";
+  muscle.appearance = Appearance::Muscle;
+  const std::array<float, 3> chosen{0.1f, 0.2f, 0.3f};
+  document.edit(QStringLiteral("colours"), {}, [&](Scene& scene) {
+    scene.joint.parts[0].color = usualColor(appearanceOf(scene.joint, scene.joint.parts[0]));
+    scene.joint.parts[1].color = chosen;
+  });
+  const std::array<float, 3> before = document.joint().parts[0].color;
+  ASSERT_TRUE(setMaterial(document, document.joint().parts[0].id, muscle));
+  ASSERT_TRUE(setMaterial(document, document.joint().parts[1].id, muscle));
+  EXPECT_EQ(document.joint().parts[0].color, usualColor(Appearance::Muscle));
+  EXPECT_EQ(document.joint().parts[1].color, chosen);
+  document.undoStack().undo();
+  document.undoStack().undo();
+  EXPECT_EQ(document.joint().parts[0].color, before);
+}
+
 TEST_F(AuthorEditsTest, whatCannotBeDoneIsNoStep) {
   EXPECT_EQ(addCoupling(document, {"left", "left", {}, SurfaceKind::Visual, {1}, 1e7}), "");
   EXPECT_EQ(addCoupling(document, {"left", "right", {}, SurfaceKind::Visual, {}, 1e7}), "");
