@@ -54,7 +54,7 @@ endfunction()
 set(GLENOID_SANITIZED_FILTER "-Hertz.*:Energy.neverGrowsInAnImpactOfAnyTissueUpToFiveMilliseconds"
   "Energy.neverExceedsTheStartFromAScatteredShape" "Energy.ofASpinningChain*" "Energy.ofATautBand*" "LinearCost.*" "PeerStudy.*"
   "Simplify.smoothShapes*" "Simplify.surfaceThatCuts*" "Simplify.largeSurface*" "Cells.chosenCellsReachTheTargets"
-  "RefineJoint.aCarriedState*" "ContactState.*" "ImportWorker.memoryHasALimit" "LargeMeshes.*")
+  "RefineJoint.aCarriedState*" "ContactState.*" "ImportWorker.memoryHasALimit" "FindProblems.ofHalfAMillion*" "LargeMeshes.*")
 list(JOIN GLENOID_SANITIZED_FILTER ":" GLENOID_SANITIZED_FILTER)
 
 # glenoid_test(NAME LABEL unit|numerics|render|long [THREADS] SOURCES ... LINKS ...): one GoogleTest program of one folder.
