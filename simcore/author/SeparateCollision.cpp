@@ -4,8 +4,9 @@
 #include <limits>
 #include <memory>
 
-#include "simcore/mesh/MeshHealth.h"
 #include "simcore/author/BuildJoint.h"
+#include "simcore/author/Overlaps.h"
+#include "simcore/mesh/MeshHealth.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -93,12 +94,6 @@ void refresh(Body& body) {
     const Vec3 normal = (sum.dot(out) < 0 ? Vec3(-sum) : sum).normalized();
     body.edges.push_back({a, b, normal, away.dot(normal) > 0});
   }
-}
-
-bool mayCollide(const Joint& joint, const Part& a, const Part& b) {
-  return std::none_of(joint.exclusions.begin(), joint.exclusions.end(), [&](const Exclusion& e) {
-    return (e.partA == a.id && e.partB == b.id) || (e.partA == b.id && e.partB == a.id);
-  });
 }
 
 /// The soft one of a rigid and a soft part, else the one of higher number.
@@ -255,10 +250,7 @@ Result<SeparationReport> separateCollision(Joint& joint, double clearance, int i
     bodies.push_back(bodyOf(part));
   }
   const int n = static_cast<int>(bodies.size());
-  std::vector<std::array<int, 2>> pairs;
-  for (int i = 0; i < n; ++i)
-    for (int j = i + 1; j < n; ++j)
-      if (mayCollide(joint, *bodies[i].part, *bodies[j].part)) pairs.push_back({i, j});
+  const std::vector<std::array<int, 2>> pairs = pairsThatMayCollide(joint);
 
   SeparationReport report;
   for (Body& body : bodies) refresh(body);
