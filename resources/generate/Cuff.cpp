@@ -27,6 +27,8 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   Flesh flesh;
   flesh.tube.stations = stations;
   flesh.tube.roundness = roundness;
+  flesh.tube.endLength = 0.025;
+  flesh.evenings = 7;  // more would draw the tendon's end off its footprint
   flesh.tube.bone = unionOf(bones.scapulaShape, bones.humerusShape);
   flesh.tube.roof = roof;
   flesh.obstacles = {{bones.scapulaShape, kBonded}, {bones.humerusShape, kBonded}, {roof, 1.2}};
@@ -39,14 +41,17 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   tube.endLength = 0.02;
   tube.roundness = 0.4;
   tube.places = coarseRings;  // most of them where the tendon lies on the head
+  tube.stations.pop_back();  // the tendon's thin border is too thin to be touched
   for (Station& station : tube.stations) {
     const bool bonded = station.clearance < 0;
     station.reach = std::min(station.reach, 6.0);
     station.clearance = std::max(station.clearance, 0.1);
     if (station.radial < 0.6) continue;
     // Where the tendon is bonded it need not touch: there it stays out of the contacts' reach.
+    if (bonded) station.halfWidth -= 2.5;
     station.clearance = bonded ? 1.6 : 0.7;
     station.thickness = std::max(station.thickness, 5.0);  // room for the near side to give way
+    station.seat = 0;
   }
   s.collision = sweep(tube, coarseAround, int(coarseRings.size()));
   keepClear(s.collision, bones.humerusCoarse, 0.55);
@@ -56,53 +61,58 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
 }  // namespace
 
 std::vector<Station> supraspinatusPath() {
-  const Vec3 up = inBlade(0, 0.35, 0.93);
+  const Vec3 up = inBlade(0, 0.25, 0.97);
   return {
-      {onBlade(17, 16, 4), up, 6, 5, kSink, 8, 0},
-      {onBlade(27, 18, 5), up, 13.5, 15, kSink, 12, 0},
-      {onBlade(46, 19, 6), up, 18, 22.9, kSink, 14, 0},
-      {onBlade(69, 15, 7), up, 16.5, 22.9, kSink, 14, 0},
-      {onBlade(90, 13.5, 9), inBlade(0, 0.6, 0.8), 12.5, 16.5, 0.3, 4, 0},
-      {{-13, 22, -20}, {-0.3, 0.85, -0.4}, 11.5, 9, 0.8, 0, 0.5},
+      {onBlade(19, 14, 4), up, 8, 5, kSink, 8, 0, 1},
+      {onBlade(25, 15.7, 5), up, 13, 11, kSink, 12, 0, 1},
+      {onBlade(44, 17, 6), up, 17, 18, kSink, 14, 0, 1},
+      {onBlade(69, 14, 7), up, 16.5, 22, kSink, 14, 0, 1},
+      {onBlade(92, 13, 9), inBlade(0, 0.5, 0.85), 14, 19.5, 0.3, 4, 0, 0.6},
+      {{-14, 21, -21}, {-0.3, 0.85, -0.4}, 13, 13, 0.8, 0, 0.5},
       {{-5, 26, -6}, {-0.15, 0.98, -0.1}, 11.5, 6.8, 0.9, 4, 1},
       {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.6, 6.8, 0.8, 5, 1},
-      {{1.2, 22, 16.5}, {0.05, 0.75, 0.66}, 12.2, 6.2, -0.3, 5, 1},
-      {{1.8, 18, 23}, {0.05, 0.6, 0.8}, 12.4, 6.6, kSunk, 5, 1},
-      {{2.2, 13.5, 27.5}, {0.05, 0.5, 0.85}, 11.8, 6.2, kSunk, 5, 1},
+      {{1.2, 22, 16.5}, {0.05, 0.75, 0.66}, 12.2, 6.2, -0.3, 5, 1, 0.6},
+      {{1.8, 18, 23}, {0.05, 0.6, 0.8}, 13.4, 6.6, kSunk, 7, 1, 1},
+      {{2.2, 13.5, 27.5}, {0.05, 0.5, 0.85}, 13.4, 6.2, kSunk, 7, 1, 1},
+      {{2.3, 11.3, 29.1}, {0.05, 0.35, 0.93}, 12.6, 4.6, kSunk, 7, 1, 1},
   };
 }
 
 std::vector<Station> infraspinatusPath() {
   const Vec3 up = inBlade(0, 0, 1);
   return {
-      {onBlade(5, -54, 4), up, 26, 5, kSink, 8, 0},
-      {onBlade(16, -55, 5), up, 45, 15, kSink, 10, 0},
-      {onBlade(40, -48, 5), up, 38, 24, kSink, 10, 0},
-      {onBlade(68, -35, 6), up, 27, 25, kSink, 10, 0},
-      {onBlade(93, -22, 9), inBlade(0.2, 0.1, 1), 17, 17, 0.3, 4, 0},
-      {{-31.5, -4, -12}, {-0.95, 0.1, -0.2}, 15, 10.5, 0.8, 0, 0.5},
-      {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 7.0, 0.9, 4, 1},
-      {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.6, 6.4, 0.7, 5, 1},
-      {{-14, 5.5, 22.3}, {-0.55, 0.22, 0.8}, 15.2, 6.2, -0.3, 7, 1},
-      {{-7.5, 5.5, 27.5}, {-0.3, 0.25, 0.92}, 15.4, 6.6, kSunk, 7, 1},
-      {{-2, 5, 29.8}, {-0.1, 0.25, 0.97}, 14.6, 6.2, kSunk, 7, 1},
+      {onBlade(1, -46, 4), up, 26, 5, kSink, 8, 0, 1},
+      {onBlade(5, -46, 4.5), up, 37, 8, kSink, 9, 0, 1},
+      {onBlade(14, -45, 5), up, 43, 11.5, kSink, 10, 0, 1},
+      {onBlade(38, -39.5, 5), up, 41, 20.5, kSink, 10, 0, 1},
+      {onBlade(68, -26, 6), up, 28, 25.5, kSink, 12, 0, 1},
+      {onBlade(94, -17, 9), inBlade(0.05, 0.1, 1), 20, 20, 0.3, 6, 0, 0.8},
+      {{-35, -4, -13}, {-0.95, 0.1, -0.2}, 16.5, 12, 0.8, 0, 0.5, 0.3},
+      {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 7.3, 0.9, 4, 1},
+      {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.6, 6.7, 0.7, 5, 1},
+      {{-14, 5.5, 22.3}, {-0.55, 0.22, 0.8}, 15.2, 6.2, -0.3, 7, 1, 0.6},
+      {{-7.5, 5.5, 27.5}, {-0.3, 0.25, 0.92}, 16.4, 6.6, kSunk, 9, 1, 1},
+      {{-2, 5, 29.8}, {-0.1, 0.25, 0.97}, 16.4, 6.2, kSunk, 9, 1, 1},
+      {{0, 4.9, 30.2}, {0, 0.25, 0.97}, 15.4, 4.6, kSunk, 9, 1, 1},
   };
 }
 
 std::vector<Station> subscapularisPath() {
   const Vec3 up = inBlade(0, 0, -1);
   return {
-      {onBlade(4, -46, -4), up, 28, 4, kSink, 8, 0},
-      {onBlade(15, -46, -5), up, 49, 12, kSink, 10, 0},
-      {onBlade(40, -40, -5), up, 39, 23, kSink, 10, 0},
-      {onBlade(68, -32, -6), up, 27, 24, kSink, 10, 0},
-      {onBlade(95, -23, -10), inBlade(0.3, 0, -1), 20, 16.5, 0.3, 4, 0},
-      {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19, 10, 0.8, 0, 0.5},
+      {onBlade(0, -40, -4), up, 32, 3, kSink, 8, 0, 1},
+      {onBlade(4, -40, -4.5), up, 46, 5, kSink, 9, 0, 1},
+      {onBlade(12, -40, -5), up, 54, 8, kSink, 10, 0, 1},
+      {onBlade(36, -34, -5), up, 50, 14.5, kSink, 10, 0, 1},
+      {onBlade(68, -24, -6), up, 34, 22.5, kSink, 12, 0, 1},
+      {onBlade(95, -17.5, -10), inBlade(0.2, 0, -1), 22, 17, 0.3, 4, 0, 0.7},
+      {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19.5, 11, 0.8, 0, 0.5},
       {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 6.6, 0.9, 6, 1},
-      {{24, -6, -11}, {0.9, -0.1, -0.4}, 20.5, 6.0, 0.3, 8, 1},
-      {{26.5, -5.5, -6}, {1, 0, -0.2}, 20.5, 6.4, kSunk, 12, 0.8},
-      {{27.8, -5, -0.5}, {1, 0, 0.0}, 19.5, 6.4, kSunk, 12, 0.8},
-      {{27.8, -4.5, 3.8}, {1, 0, 0.2}, 17, 6.0, kSunk, 12, 0.8},
+      {{24, -6.5, -11}, {0.9, -0.1, -0.4}, 22, 6.0, -0.6, 10, 1, 0.8},
+      {{26.5, -6.3, -6}, {1, 0, -0.2}, 24, 6.4, kSunk, 14, 0.8, 1},
+      {{27.8, -5.8, -0.5}, {1, 0, 0.0}, 25, 6.4, kSunk, 14, 0.8, 1},
+      {{27.8, -5.3, 3.8}, {1, 0, 0.2}, 25, 6.0, kSunk, 14, 0.8, 1},
+      {{26.6, -4.8, 11}, {1, 0, 0.35}, 24, 5.2, kSunk, 14, 0.8, 1},
   };
 }
 

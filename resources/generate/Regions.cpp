@@ -36,13 +36,19 @@ double toPath(const std::vector<Vec3>& path, const Vec3& p) {
 }
 
 /// Whether a point of the humerus lies in a muscle's footprint: `length` along the border of the cartilage,
-/// `width` away from it, about the middle of the muscle's last stations.
+/// `width` away from it, about the last station but two; the tendon's border lies at the last.
 bool inFootprint(const std::vector<Station>& path, double length, double width, const Vec3& p) {
-  const Station &before = path[path.size() - 3], &middle = path[path.size() - 2], &after = path.back();
+  const Station &before = path[path.size() - 4], &middle = path[path.size() - 3], &after = path[path.size() - 2];
   const Vec3 out = middle.up.normalized(), way = after.base - before.base;
   const Vec3 along = way.cross(out).normalized(), fibre = out.cross(along), d = p - middle.base;
   return std::abs(d.dot(along)) < length / 2 && std::abs(d.dot(fibre)) < width / 2 &&
          std::abs(d.dot(out)) < 12;
+}
+
+/// Cap of the head that is covered with cartilage, 19 mm high (Iannotti 1992), and what lies within `thickness` of it.
+bool onCartilage(const Vec3& p, double thickness) {
+  return p.dot(humerus::headAxis()) > humerus::kHeadRadius - 19 &&
+         std::abs(p.norm() - humerus::kHeadRadius) < thickness;
 }
 
 std::vector<Region> scapulaRegions(const TriMesh& visual) {
@@ -83,18 +89,14 @@ std::vector<Region> scapulaRegions(const TriMesh& visual) {
 }
 
 std::vector<Region> humerusRegions(const TriMesh& visual) {
-  const Vec3 axis = humerus::headAxis();
   const std::vector<Vec3> groove = humerus::groovePath();
-  const auto onCartilage = [&](const Vec3& p) {
-    return p.dot(axis) > humerus::kHeadRadius - 19 && std::abs(p.norm() - humerus::kHeadRadius) < 0.6;
-  };
   // Less than published (Curtis 2006) by what whole triangles stand over the border.
   const auto facet = [](const std::vector<Station>& path, double length, double width) {
     return [=](const Vec3& p) { return inFootprint(path, length - 2, width - 4.5, p); };
   };
   return {
       regionWhere(visual, "head-cartilage", "Caput humeri (cartilage of the humeral head)", "cartilage",
-                  onCartilage),
+                  [](const Vec3& p) { return onCartilage(p, 0.6); }),
       regionWhere(visual, "bicipital-groove", "Sulcus intertubercularis (bicipital groove)", "groove",
                   [&](const Vec3& p) { return toPath(groove, p) < 4.5; }),
       regionWhere(visual, "greater-tubercle", "Tuberculum majus (greater tubercle)", "landmark",
@@ -120,7 +122,7 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
                   "footprint", facet(subscapularisPath(), 40, 20)),
       regionWhere(visual, "bare-area", "Area nuda capitis humeri (bare area)", "landmark",
                   [&](const Vec3& p) {
-                    return std::abs(p.norm() - humerus::kHeadRadius) < 1.2 && !onCartilage(p) && p.x() < -8 &&
+                    return std::abs(p.norm() - humerus::kHeadRadius) < 1.2 && !onCartilage(p, 0.6) && p.x() < -8 &&
                            p.y() > -14 && p.z() > -2;
                   }),
       regionWhere(visual, "rotator-interval", "Intervallum rotatorum (rotator interval)", "landmark",
@@ -132,15 +134,15 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
 }
 
 std::vector<Region> muscleRegions(const TriMesh& visual, const Bones& bones, const std::vector<Station>& path,
-                                  double tendonFrom, const char* origin, const char* insertion) {
+                                  double tendonFrom, double footprintWidth, const char* origin, const char* insertion) {
   const auto place = [path](const Vec3& p) { return placeAlong(path, p); };
   return {regionWhere(
               visual, "origin", origin, "footprint",
               [&](const Vec3& p) { return distance(bones.scapulaShape, p) < kAttached && place(p) < 0.62; }),
           regionWhere(visual, "insertion", insertion, "footprint",
                       [&](const Vec3& p) {
-                        return p.norm() > humerus::kHeadRadius + 1 &&
-                               distance(bones.humerusShape, p) < kAttached && place(p) > 0.8;
+                        return !onCartilage(p, 1) && distance(bones.humerusShape, p) < kAttached &&
+                               inFootprint(path, 100, footprintWidth, p);
                       }),
           regionWhere(visual, "tendon", "Tendo (tendon)", "tendon",
                       [&](const Vec3& p) { return place(p) > tendonFrom; })};
@@ -185,15 +187,15 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
   if (id == "scapula") return scapulaRegions(visual);
   if (id == "humerus") return humerusRegions(visual);
   if (id == "supraspinatus")
-    return muscleRegions(visual, bones, supraspinatusPath(), 0.72,
+    return muscleRegions(visual, bones, supraspinatusPath(), 0.76, 16,
                          "Origo: fossa supraspinata (origin above the spine)",
                          "Insertio: tuberculum majus (insertion, superior facet)");
   if (id == "infraspinatus")
-    return muscleRegions(visual, bones, infraspinatusPath(), 0.70,
+    return muscleRegions(visual, bones, infraspinatusPath(), 0.76, 19,
                          "Origo: fossa infraspinata (origin below the spine)",
                          "Insertio: tuberculum majus (insertion, middle facet)");
   if (id == "subscapularis")
-    return muscleRegions(visual, bones, subscapularisPath(), 0.70,
+    return muscleRegions(visual, bones, subscapularisPath(), 0.76, 20,
                          "Origo: fossa subscapularis (origin in front)",
                          "Insertio: tuberculum minus (insertion, lesser tubercle)");
   if (id == "coracoacromial-ligament")

@@ -29,6 +29,7 @@ Station between(const Station& s0, const Station& s1, const Station& s2, const S
   s.clearance = eased(s1.clearance, s2.clearance, t);
   s.reach = eased(s1.reach, s2.reach, t);
   s.radial = eased(s1.radial, s2.radial, t);
+  s.seat = eased(s1.seat, s2.seat, t);
   return s;
 }
 
@@ -83,8 +84,9 @@ TriMesh sweep(const Tube& tube, int around, int along) {
     Vec3 near = st.base + st.halfWidth * scale * x * width;
     const Vec3 out = ((1 - st.radial) * up + st.radial * near.normalized()).normalized();
     if (tube.bone) near = settle(tube.bone, near, out, st.clearance, st.reach);
-    // Both sides meet at mid thickness on the rim and are fully apart in the middle.
-    const double height = st.thickness * (0.5 + 0.5 * scale * y);
+    // Both sides meet on the rim, at mid thickness or, with a seat, nearer the bone, and are fully apart in the middle.
+    const double rim = 0.5 * (1 - st.seat);
+    const double height = st.thickness * (rim + (y < 0 ? rim : 1 - rim) * scale * y);
     Vec3 p = near + height * out;
     if (tube.roof && tube.roof(p) < tube.roofClearance) {
       double fall = 0;  // never so far that the far side meets the near side

@@ -18,6 +18,7 @@ struct Station {
   double clearance = 0;  ///< wanted between the near side and the bone, where it settles
   double reach = 0;      ///< how far the near side comes down to the bone; 0: only pushed out of it
   double radial = 0;     ///< 0: settles along up, 1: along the line from the humeral head's centre
+  double seat = 0;       ///< 0: both sides bulge, 1: the near side is flat, as a belly lies on its bone
 };
 
 struct Tube {
