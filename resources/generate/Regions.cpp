@@ -133,8 +133,10 @@ std::vector<Region> humerusRegions(const TriMesh& visual) {
   };
 }
 
+/// `bondedWidth`: mm of the tendon along its fibres that is bonded, chosen so that whole triangles give the
+/// published width.
 std::vector<Region> muscleRegions(const TriMesh& visual, const Bones& bones, const std::vector<Station>& path,
-                                  double tendonFrom, double footprintWidth, const char* origin, const char* insertion) {
+                                  double tendonFrom, double bondedWidth, const char* origin, const char* insertion) {
   const auto place = [path](const Vec3& p) { return placeAlong(path, p); };
   return {regionWhere(
               visual, "origin", origin, "footprint",
@@ -142,7 +144,7 @@ std::vector<Region> muscleRegions(const TriMesh& visual, const Bones& bones, con
           regionWhere(visual, "insertion", insertion, "footprint",
                       [&](const Vec3& p) {
                         return !onCartilage(p, 1) && distance(bones.humerusShape, p) < kAttached &&
-                               inFootprint(path, 100, footprintWidth, p);
+                               inFootprint(path, 100, bondedWidth, p);
                       }),
           regionWhere(visual, "tendon", "Tendo (tendon)", "tendon",
                       [&](const Vec3& p) { return place(p) > tendonFrom; })};
@@ -191,7 +193,7 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
                          "Origo: fossa supraspinata (origin above the spine)",
                          "Insertio: tuberculum majus (insertion, superior facet)");
   if (id == "infraspinatus")
-    return muscleRegions(visual, bones, infraspinatusPath(), 0.76, 19,
+    return muscleRegions(visual, bones, infraspinatusPath(), 0.76, 20.5,
                          "Origo: fossa infraspinata (origin below the spine)",
                          "Insertio: tuberculum majus (insertion, middle facet)");
   if (id == "subscapularis")
