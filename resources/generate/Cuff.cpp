@@ -28,7 +28,8 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   flesh.tube.stations = stations;
   flesh.tube.roundness = roundness;
   flesh.tube.endLength = 0.025;
-  flesh.evenings = 7;  // more would draw the tendon's end off its footprint
+  flesh.evenings = 28;
+  flesh.evenTo = 0.62;
   flesh.tube.bone = unionOf(bones.scapulaShape, bones.humerusShape);
   flesh.tube.roof = roof;
   flesh.obstacles = {{bones.scapulaShape, kBonded}, {bones.humerusShape, kBonded}, {roof, 1.2}};
@@ -63,11 +64,11 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
 std::vector<Station> supraspinatusPath() {
   const Vec3 up = inBlade(0, 0.25, 0.97);
   return {
-      {onBlade(19, 14, 4), up, 8, 5, kSink, 8, 0, 1},
-      {onBlade(25, 15.7, 5), up, 13, 11, kSink, 12, 0, 1},
-      {onBlade(44, 17, 6), up, 17, 18, kSink, 14, 0, 1},
-      {onBlade(69, 14, 7), up, 16.5, 22, kSink, 14, 0, 1},
-      {onBlade(92, 13, 9), inBlade(0, 0.5, 0.85), 14, 19.5, 0.3, 4, 0, 0.6},
+      {onBlade(16, 13.8, 4), up, 9, 6, kSink, 8, 0, 1},
+      {onBlade(23, 15.5, 5), up, 14, 12, kSink, 12, 0, 1},
+      {onBlade(44, 17, 6), up, 18, 20, kSink, 14, 0, 1},
+      {onBlade(69, 14, 7), up, 17.5, 24, kSink, 14, 0, 1},
+      {onBlade(92, 13, 9), inBlade(0, 0.5, 0.85), 14.5, 21, 0.3, 4, 0, 0.6},
       {{-14, 21, -21}, {-0.3, 0.85, -0.4}, 13, 13, 0.8, 0, 0.5},
       {{-5, 26, -6}, {-0.15, 0.98, -0.1}, 11.5, 6.8, 0.9, 4, 1},
       {{-0.5, 26, 7}, {0, 0.93, 0.3}, 11.6, 6.8, 0.8, 5, 1},
@@ -81,12 +82,12 @@ std::vector<Station> supraspinatusPath() {
 std::vector<Station> infraspinatusPath() {
   const Vec3 up = inBlade(0, 0, 1);
   return {
-      {onBlade(1, -46, 4), up, 26, 5, kSink, 8, 0, 1},
-      {onBlade(5, -46, 4.5), up, 37, 8, kSink, 9, 0, 1},
-      {onBlade(14, -45, 5), up, 43, 11.5, kSink, 10, 0, 1},
-      {onBlade(38, -39.5, 5), up, 41, 20.5, kSink, 10, 0, 1},
-      {onBlade(68, -26, 6), up, 28, 25.5, kSink, 12, 0, 1},
-      {onBlade(94, -17, 9), inBlade(0.05, 0.1, 1), 20, 20, 0.3, 6, 0, 0.8},
+      {onBlade(1, -46, 4), up, 28, 6, kSink, 8, 0, 1},
+      {onBlade(5, -46, 4.5), up, 39, 9.5, kSink, 9, 0, 1},
+      {onBlade(14, -45, 5), up, 45, 13.5, kSink, 10, 0, 1},
+      {onBlade(38, -39.5, 5), up, 42, 23, kSink, 10, 0, 1},
+      {onBlade(68, -26, 6), up, 29, 28, kSink, 12, 0, 1},
+      {onBlade(94, -17, 9), inBlade(0.05, 0.1, 1), 21, 23, 0.3, 6, 0, 0.8},
       {{-35, -4, -13}, {-0.95, 0.1, -0.2}, 16.5, 12, 0.8, 0, 0.5, 0.3},
       {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 7.3, 0.9, 4, 1},
       {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.6, 6.7, 0.7, 5, 1},
@@ -100,19 +101,19 @@ std::vector<Station> infraspinatusPath() {
 std::vector<Station> subscapularisPath() {
   const Vec3 up = inBlade(0, 0, -1);
   return {
-      {onBlade(0, -40, -4), up, 32, 3, kSink, 8, 0, 1},
-      {onBlade(4, -40, -4.5), up, 46, 5, kSink, 9, 0, 1},
-      {onBlade(12, -40, -5), up, 54, 8, kSink, 10, 0, 1},
-      {onBlade(36, -34, -5), up, 50, 14.5, kSink, 10, 0, 1},
-      {onBlade(68, -24, -6), up, 34, 22.5, kSink, 12, 0, 1},
-      {onBlade(95, -17.5, -10), inBlade(0.2, 0, -1), 22, 17, 0.3, 4, 0, 0.7},
+      {onBlade(-1, -40, -4), up, 34, 4, kSink, 8, 0, 1},
+      {onBlade(3, -40, -4.5), up, 48, 6.5, kSink, 9, 0, 1},
+      {onBlade(12, -40, -5), up, 55, 9.5, kSink, 10, 0, 1},
+      {onBlade(36, -34, -5), up, 51, 15.5, kSink, 10, 0, 1},
+      {onBlade(68, -24, -6), up, 35, 25, kSink, 12, 0, 1},
+      {onBlade(95, -17.5, -10), inBlade(0.2, 0, -1), 23, 19.5, 0.3, 4, 0, 0.7},
       {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19.5, 11, 0.8, 0, 0.5},
       {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 6.6, 0.9, 6, 1},
       {{24, -6.5, -11}, {0.9, -0.1, -0.4}, 22, 6.0, -0.6, 10, 1, 0.8},
       {{26.5, -6.3, -6}, {1, 0, -0.2}, 24, 6.4, kSunk, 14, 0.8, 1},
       {{27.8, -5.8, -0.5}, {1, 0, 0.0}, 25, 6.4, kSunk, 14, 0.8, 1},
-      {{27.8, -5.3, 3.8}, {1, 0, 0.2}, 25, 6.0, kSunk, 14, 0.8, 1},
-      {{26.6, -4.8, 11}, {1, 0, 0.35}, 24, 5.2, kSunk, 14, 0.8, 1},
+      {{27.8, -5.5, 3.8}, {1, 0, 0.2}, 25, 6.0, kSunk, 14, 0.8, 0.85},
+      {{26.6, -6, 11}, {1, 0, 0.35}, 23, 5.2, kSunk, 14, 0.8, 0.85},
   };
 }
 

@@ -17,16 +17,21 @@ namespace {
 
 constexpr double kFar = 8;  // mm: farther than this from the tube a bound will do
 
-void evenOut(TriMesh& mesh, int rounds) {
-  for (int round = 0; round < rounds; ++round) {
+void evenOut(TriMesh& mesh, const Flesh& flesh) {
+  const int rings = flesh.around * flesh.along;  // the two ends come after them
+  for (int round = 0; round < flesh.evenings; ++round) {
     const std::vector<Vec3> means = neighbourMeans(mesh);
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertices[i] += 0.5 * (means[i] - mesh.vertices[i]);
+    for (int i = 0; i < int(mesh.vertices.size()); ++i) {
+      const double place = i < rings ? double(i / flesh.around) / (flesh.along - 1) : double(i - rings);
+      const double weight = 1 - 0.75 * std::clamp((place - flesh.evenTo) / 0.2, 0.0, 1.0);
+      mesh.vertices[i] += 0.5 * weight * (means[i] - mesh.vertices[i]);
+    }
   }
 }
 
 TriMesh rawOf(const Flesh& flesh) {
   TriMesh raw = sweep(flesh.tube, flesh.around, flesh.along);
-  evenOut(raw, flesh.evenings);
+  evenOut(raw, flesh);
   return raw;
 }
 
@@ -45,16 +50,6 @@ Field cutOf(const TriMesh& raw, const Flesh& flesh) {
   };
 }
 
-/// Simplified to about this many triangles. A thin edge folds over itself at some counts and not at others: the first
-/// sound one is taken, at most 2 % below.
-TriMesh withoutCuts(const TriMesh& mesh, int triangles) {
-  for (int fewer = 0; fewer <= triangles / 50; fewer += 2) {
-    TriMesh simple = simplified(mesh, triangles - fewer);
-    if (countSelfIntersections(simple) == 0) return simple;
-  }
-  return simplified(mesh, triangles);
-}
-
 }  // namespace
 
 Field fieldOf(const Flesh& flesh) {
@@ -64,12 +59,21 @@ Field fieldOf(const Flesh& flesh) {
 TriMesh surfaceOf(const Flesh& flesh, int triangles) {
   const TriMesh raw = rawOf(flesh);
   const Field shape = cutOf(raw, flesh);
-  Box3 box = boundsOf(raw);
-  box.min() -= Vec3::Constant(2 * flesh.step);
-  box.max() += Vec3::Constant(2 * flesh.step);
-  TriMesh mesh = largestComponent(isosurface(shape, box, flesh.step));
-  relax(mesh, shape, 3);
-  return withoutCuts(mesh, triangles);
+  TriMesh simple;
+  // A thin edge folds over itself on some grids and at some counts and not at others: the first sound surface is taken.
+  for (const double finer : {1.0, 0.93, 1.07, 0.86}) {
+    const double step = finer * flesh.step;
+    Box3 box = boundsOf(raw);
+    box.min() -= Vec3::Constant(2 * step);
+    box.max() += Vec3::Constant(2 * step);
+    TriMesh mesh = largestComponent(isosurface(shape, box, step));
+    relax(mesh, shape, 3);
+    for (int fewer = 0; fewer <= 16; fewer += 4) {
+      simple = simplified(mesh, triangles - fewer);
+      if (countSelfIntersections(simple) == 0) return simple;
+    }
+  }
+  return simple;
 }
 
 double placeAlong(const std::vector<Station>& stations, const Vec3& p) {

@@ -197,7 +197,7 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
                          "Origo: fossa infraspinata (origin below the spine)",
                          "Insertio: tuberculum majus (insertion, middle facet)");
   if (id == "subscapularis")
-    return muscleRegions(visual, bones, subscapularisPath(), 0.76, 20,
+    return muscleRegions(visual, bones, subscapularisPath(), 0.76, 16.5,
                          "Origo: fossa subscapularis (origin in front)",
                          "Insertio: tuberculum minus (insertion, lesser tubercle)");
   if (id == "coracoacromial-ligament")
