@@ -19,6 +19,34 @@ double coneDistance(const Knot& a, const Knot& b, const Vec3& p) {
   return (p - a.at - t * axis).norm() - (a.radius + t * (b.radius - a.radius));
 }
 
+double catmullRom(double a, double b, double c, double d, double t) {
+  return 0.5 * (2 * b + t * (c - a) + t * t * (2 * a - 5 * b + 4 * c - d) + t * t * t * (3 * b - a - 3 * c + d));
+}
+
+/// Closed outline of a section, moved so that its middle lies where the section says.
+std::vector<Vec2> outlineOf(const Section& s) {
+  const auto corner = [](const Vec2& a, const Vec2& b, double full) { return Vec2(full * (a + b)); };
+  std::vector<Vec2> curve = closedCurve(
+      {s.right, corner(s.right, s.front, s.fullFront), s.front, corner(s.front, s.left, s.fullFront), s.left,
+       corner(s.left, s.back, s.fullBack), s.back, corner(s.back, s.right, s.fullBack)},
+      5);
+  Vec2 middle = Vec2::Zero();
+  double length = 0;
+  for (std::size_t i = 0, j = curve.size() - 1; i < curve.size(); j = i++) {
+    const double l = (curve[i] - curve[j]).norm();
+    middle += l * 0.5 * (curve[i] + curve[j]);
+    length += l;
+  }
+  for (Vec2& p : curve) p += s.centre - middle / length;
+  return curve;
+}
+
+/// Both distances as one, with a round edge between the two faces.
+double rounded(double a, double b, double rounding) {
+  a += rounding, b += rounding;
+  return std::min(std::max(a, b), 0.0) + Vec2(std::max(a, 0.0), std::max(b, 0.0)).norm() - rounding;
+}
+
 }  // namespace
 
 Field sphere(const Vec3& centre, double radius) {
@@ -78,10 +106,67 @@ Field stretched(Field field, const Vec3& origin, const Vec3& direction, double f
 Field plate(Plate shape) {
   return [shape = std::move(shape)](const Vec3& p) {
     const Vec3 q = shape.frame.toLocal(p);
-    const double side = polygonDistance(shape.outline, q.head<2>()) + shape.rounding;
-    const double top = std::abs(q.z() - shape.height(q.x(), q.y())) - shape.thickness / 2 + shape.rounding;
-    return std::min(std::max(side, top), 0.0) + Vec2(std::max(side, 0.0), std::max(top, 0.0)).norm() -
-           shape.rounding;
+    return rounded(polygonDistance(shape.outline, q.head<2>()),
+                   std::abs(q.z() - shape.height(q.x(), q.y())) - shape.taper(q.x(), q.y()) * shape.thickness / 2,
+                   shape.rounding);
+  };
+}
+
+Field swept(const Frame& frame, const std::vector<Section>& sections, double rounding) {
+  // Outlines every millimetre, between which a straight line will do.
+  const int n = int(sections.size());
+  const double bottom = std::min(sections.front().z, sections.back().z),
+               top = std::max(sections.front().z, sections.back().z);
+  const int steps = int(std::ceil(top - bottom));
+  std::vector<std::vector<Vec2>> given, outlines(steps + 1);
+  for (const Section& s : sections) given.push_back(outlineOf(s));
+  const double sign = sections.back().z > sections.front().z ? 1 : -1;
+  for (int k = 0; k <= steps; ++k) {
+    const double z = bottom + (top - bottom) * k / steps;
+    int i = 0;
+    while (i + 2 < n && sign * (z - sections[i + 1].z) > 0) ++i;
+    const double t = (z - sections[i].z) / (sections[i + 1].z - sections[i].z);
+    // Slopes over unequal spans: finite differences (Catmull and Rom's for equal ones).
+    const auto slope = [&](int j, std::size_t v) -> Vec2 {
+      const int l = std::max(j - 1, 0), r = std::min(j + 1, n - 1);
+      return (given[r][v] - given[l][v]) / (sections[r].z - sections[l].z) * (sections[i + 1].z - sections[i].z);
+    };
+    for (std::size_t v = 0; v < given[i].size(); ++v) {
+      const Vec2 a = given[i][v], b = given[i + 1][v], m = slope(i, v), o = slope(i + 1, v);
+      outlines[k].push_back((2 * t * t * t - 3 * t * t + 1) * a + (t * t * t - 2 * t * t + t) * m +
+                            (3 * t * t - 2 * t * t * t) * b + (t * t * t - t * t) * o);
+    }
+  }
+  return [=](const Vec3& p) {
+    const Vec3 q = frame.toLocal(p);
+    const double place = std::clamp((q.z() - bottom) / (top - bottom), 0.0, 1.0) * steps;
+    const int k = std::min(int(place), steps - 1);
+    const double t = place - k;
+    static thread_local std::vector<Vec2> outline;
+    outline.resize(outlines[k].size());
+    for (std::size_t v = 0; v < outline.size(); ++v) outline[v] = (1 - t) * outlines[k][v] + t * outlines[k + 1][v];
+    return rounded(polygonDistance(outline, q.head<2>()), std::max(bottom - q.z(), q.z() - top), rounding);
+  };
+}
+
+Field turned(const Frame& frame, const std::vector<Vec2>& profile, double rounding) {
+  // The profile's curve, closed across the axis, a little smaller than wanted and rounded back.
+  const int n = int(profile.size());
+  std::vector<Vec2> closed;
+  for (int i = 0; i + 1 < n; ++i)
+    for (int k = 0; k < 6; ++k) {
+      const Vec2 &a = profile[std::max(i - 1, 0)], &b = profile[i], &c = profile[i + 1], &d = profile[std::min(i + 2, n - 1)];
+      closed.push_back({catmullRom(a.x(), b.x(), c.x(), d.x(), k / 6.0), catmullRom(a.y(), b.y(), c.y(), d.y(), k / 6.0)});
+    }
+  closed.push_back(profile.back());
+  for (Vec2& p : closed) p.y() -= rounding;
+  const double first = closed.front().x() + rounding, last = closed.back().x() - rounding;
+  for (Vec2& p : closed) p.x() = std::clamp(p.x(), std::min(first, last), std::max(first, last));
+  closed.push_back({last, -5});
+  closed.push_back({first, -5});
+  return [=](const Vec3& p) {
+    const Vec3 q = frame.toLocal(p);
+    return polygonDistance(closed, Vec2(q.x(), q.tail<2>().norm())) - rounding;
   };
 }
 

@@ -36,14 +36,29 @@ Field chain(const std::vector<Knot>& knots);
 Field stretched(Field field, const Vec3& origin, const Vec3& direction, double factor);
 
 /// Plate over a polygon in the frame's xy plane, thickness along z, edges rounded by `rounding`;
-/// `height(x, y)` bends its middle surface.
+/// `height(x, y)` bends its middle surface and `taper(x, y)` scales its thickness.
 struct Plate {
   Frame frame;
   std::vector<Vec2> outline;  ///< counter-clockwise or clockwise, simple
   double thickness = 3, rounding = 1;
   std::function<double(double, double)> height = [](double, double) { return 0.0; };
+  std::function<double(double, double)> taper = [](double, double) { return 1.0; };
 };
 Field plate(Plate shape);
+
+/// Outline of a long bone's section in the frame's xy plane at a height z: its four extreme points about `centre`,
+/// where the middle of the outline's length comes to lie, and how full its corners are to the +y and the −y side
+/// (0.71: an ellipse; less: a ridge between flat faces).
+struct Section {
+  double z;
+  Vec2 centre, left, right, front, back;
+  double fullFront = 0.71, fullBack = 0.71;
+};
+/// Body through sections in order of z, which runs up or down; ends are rounded by `rounding`.
+Field swept(const Frame& frame, const std::vector<Section>& sections, double rounding);
+
+/// Turned on a lathe about the frame's x axis: (x, radius) from one end to the other, corners rounded by `rounding`.
+Field turned(const Frame& frame, const std::vector<Vec2>& profile, double rounding);
 
 Field smoothUnion(std::vector<Field> fields, double blend);
 Field smoothSubtract(Field from, Field what, double blend);

@@ -18,6 +18,63 @@ Mat3 anatomicalAxes() {
   return axes;
 }
 
+/// Across the shaft: x lateral, y forward, z proximal; origin on the canal's axis at the height of the head's centre.
+Frame canalFrame() {
+  const Vec3 z = canalAxis(), elbow = lateralEpicondyle() - medialEpicondyle();
+  const Vec3 x = (elbow - elbow.dot(z) * z).normalized();
+  Frame f;
+  f.origin = canalAt(0);
+  f.axes << x, z.cross(x), z;
+  return f;
+}
+
+/// The shaft down to the elbow: round above, with the long flat rise of the deltoid tuberosity at its outer side, then
+/// three-edged with a crest in front, then flat between the two supracondylar ridges. It is bowed outward and its
+/// lower half forward; the middles of its sections lie on a line between 140 and 215 mm below the head's centre that
+/// keeps the offsets of the head (see canalAxis).
+Field shaft() {
+  const auto ring = [](double z, const Vec2& centre, double r) {
+    return Section{z, centre, {-r, 0}, {r, 0}, {0, r}, {0, -r}};
+  };
+  return swept(canalFrame(),
+               {ring(-14, {0, 0}, 18),
+                ring(-34, {0.3, 0.2}, 14.2),
+                ring(-62, {1.5, 0.6}, 11.9),
+                {-82, {2.9, 0.7}, {-11.6, 0}, {12.8, 0.5}, {0.5, 11.9}, {0, -11.4}},
+                {-101, {3.6, 0.3}, {-11.4, 0}, {13.8, 0.8}, {1, 12}, {0, -11.2}, 0.72, 0.68},
+                {-121, {3.4, -0.5}, {-11.2, 0}, {13.2, 0.4}, {0.8, 11.9}, {0, -11.2}, 0.70, 0.69},
+                {-142, {3.04, -1.22}, {-10.9, 0}, {11.6, 0}, {0.4, 11.6}, {0, -11}, 0.69, 0.71},
+                {-180, {3.86, -1.54}, {-10.8, 0}, {11, -2}, {0, 11.2}, {0.5, -10.4}, 0.67, 0.72},
+                {-218, {4.67, -1.87}, {-12, -1}, {13.5, -4}, {-0.8, 11.2}, {1.5, -8.8}, 0.62, 0.74},
+                {-238, {5, -2.4}, {-14.2, -1}, {16.6, -4.4}, {-1.6, 10.4}, {2, -7.8}, 0.60, 0.73},
+                {-254, {4.6, -2.2}, {-17, -0.5}, {20, -4}, {-2, 9.5}, {2, -7.2}, 0.61, 0.72},
+                {-266, {3.6, -1.8}, {-21, 0.5}, {24.5, -3.4}, {-2.4, 9}, {2, -7}, 0.62, 0.72},
+                {-277, {2, -1.2}, {-26.5, 1}, {28.5, -2.6}, {-2, 8.6}, {1, -7}, 0.64, 0.72},
+                {-286, {0.5, -0.5}, {-28, 0.5}, {30, -1}, {-1, 8}, {0, -7}, 0.68, 0.72},
+                {-295, {0, 0.5}, {-22, 0}, {27, 0}, {0, 7}, {0, -6.4}, 0.70, 0.72}},
+               4);
+}
+
+/// Both epicondyles and what the forearm turns on: in front at the outer side a ball (capitulum), inward of it a spool
+/// (trochlea) whose inner lip is larger and reaches lower. Fossae take the forearm's bones at the ends of their way.
+Field withElbow(Field bone) {
+  Frame f = canalFrame();
+  f.origin = 0.5 * (lateralEpicondyle() + medialEpicondyle());
+  const auto at = [&](double lateral, double forward, double up) { return f.toWorld({lateral, forward, up}); };
+  const Field medial = chain({{at(-20, -1, 4), 8}, {at(-28.8, -2, 1.2), 6.6}});
+  const Field outer = chain({{at(21, 0, 2), 7}, {at(29.4, 0, -1.8), 5.6}});
+  bone = smoothUnion({bone, smoothUnion({medial, outer}, 4)}, 7);
+  const Field capitulum = ellipsoid({at(21, 6.5, -8), f.axes}, {9.6, 10.8, 10.8});
+  Frame spool = f;
+  spool.origin = at(0, 5, -7);
+  const Field trochlea = turned(spool, {{-17, 9}, {-14.2, 13}, {-9, 11.3}, {-2, 9}, {5, 9.2}, {10.5, 10.4}, {15, 9}}, 2.2);
+  bone = smoothUnion({bone, smoothUnion({capitulum, trochlea}, 3)}, 4);
+  const auto hollow = [&](const Vec3& centre, const Vec3& halfAxes) { return ellipsoid({centre, f.axes}, halfAxes); };
+  bone = smoothSubtract(bone, hollow(at(-1, -11, 9.5), {12.5, 9, 9.5}), 3);  // olecranon fossa
+  bone = smoothSubtract(bone, hollow(at(-4, 11.5, 10.5), {7.5, 8.5, 6}), 3);   // coronoid fossa
+  return smoothSubtract(bone, hollow(at(17, 12, 9), {6, 6.5, 5}), 3);      // radial fossa
+}
+
 }  // namespace
 
 Vec3 lateralEpicondyle() {
@@ -55,53 +112,24 @@ std::vector<Vec3> groovePath() {
 }
 
 Field filledField() {
-  const Vec3 axis = canalAxis();
-  const auto knot = [](double y, double r) { return Knot{canalAt(y), r}; };
-  const Field shaft = chain(
-      {knot(-14, 18), knot(-34, 14.2), knot(-62, 11.8), knot(-110, 11), knot(-190, 9.8), knot(-238, 9.2)});
-
-  // Tuberosity of the deltoid, half way down the outer side.
-  const Field tuberosity = chain({{canalAt(-76) + Vec3(1, 0, 8), 4},
-                                  {canalAt(-99) + Vec3(-0.5, 0, 11.3), 5.6},
-                                  {canalAt(-124) + Vec3(-0.5, 0, 8), 4}});
-
-  // Elbow: the shaft flattens into two pillars that end in the epicondyles; between them capitulum and
-  // trochlea.
-  const Vec3 el = lateralEpicondyle(), em = medialEpicondyle();
-  const Vec3 across = (el - em).normalized(), forward = axis.cross(across).normalized(),
-             middle = 0.5 * (el + em);
-  const Field lateral = chain({{canalAt(-215), 8},
-                               {canalAt(-242) + 5 * across, 7},
-                               {el - 9 * across + 14 * axis, 5.5},
-                               {el - 7 * across, 6.5}});
-  const Field medial = chain({{canalAt(-215), 8},
-                              {canalAt(-242) - 5 * across, 7},
-                              {em + 9 * across + 14 * axis, 5.5},
-                              {em + 6 * across, 6.2}});
-  const Field web =
-      ellipsoid({middle + 18 * axis, (Mat3() << across, axis, forward).finished()}, {22, 30, 4.5});
-  const Vec3 joint = middle - 5 * axis + 3 * forward;
-  const Field capitulum = sphere(joint + 15 * across + 2 * forward, 10.5);
-  const Field trochlea =
-      chain({{joint + 6 * across, 8.2}, {joint - 4 * across, 8.6}, {joint - 16 * across, 11.4}});
-  Field elbow = smoothUnion({lateral, medial, web, capitulum, trochlea}, 6);
-  elbow = smoothSubtract(elbow, sphere(middle + 13 * axis - 12.5 * forward, 10), 4);  // olecranon fossa
-
   // Proximal end: metaphysis, greater tubercle with its three facets, lesser tubercle.
+  const Field metaphysis = sphere(canalAt(-10.6), 18.3);
   const Field neck = ellipsoid({canalAt(-4), Mat3::Identity()}, {16, 22, 15.5});
   const Field greater = chain({{{6.5, 9.8, 16.8}, 11.2},
                                {{-4.5, 4, 16.8}, 10.8},
                                {{-4.5, -9, 16.2}, 9.8},
-                               {canalAt(-30) + Vec3(-2, 0, 3), 10.5}});
+                               {canalAt(-30) + Vec3(-2, 0, 3), 10.5},
+                               {canalAt(-66), 8}});
   const Field lesser =
-      chain({{{19.2, 1.2, 0.2}, 8.4}, {{17.4, -8, 3.4}, 8.2}, {canalAt(-32) + Vec3(3, 0, -2), 10}});
+      chain({{{19.2, 1.2, 0.2}, 8.4}, {{17.4, -8, 3.4}, 8.2}, {canalAt(-32) + Vec3(3, 0, -2), 10}, {canalAt(-66), 8}});
+  // Under the head, where the neck's inner side runs into the shaft.
+  const Field calcar = chain({{{-3, -12, -2}, 9.5}, {canalAt(-36) + Vec3(-1, 0, -3), 10.5}, {canalAt(-66) + Vec3(0, 0, 1.5), 6.5}});
   // Crests of the tubercles, the lips of the groove.
   const Field lateralLip =
-      chain({{{10.5, 9, 17.5}, 7.6}, {{12.2, 1, 18.2}, 7.2}, {{11.6, -8, 18.6}, 6.8}, {{8, -22, 18.5}, 6.2}});
-  const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0}, {{18.0, -8, 5.6}, 7.4}, {{12.5, -24, 8.5}, 6.6}});
-  Field bone = smoothUnion({shaft, elbow, tuberosity}, 8);
-  bone = smoothUnion({bone, neck, greater, lesser, lateralLip, medialLip}, 5);
-  return smoothUnion({bone, sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+      chain({{{10.5, 9, 17.5}, 7.6}, {{12.2, 1, 18.2}, 7.2}, {{11.6, -8, 18.6}, 6.8}, {{8, -22, 18.5}, 6.2}, {canalAt(-46) + Vec3(5, 0, 4), 6}, {canalAt(-78), 5}});
+  const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0}, {{18.0, -8, 5.6}, 7.4}, {{12.5, -24, 8.5}, 6.6}, {canalAt(-48) + Vec3(5, 0, -2), 6}, {canalAt(-78), 5}});
+  Field bone = smoothUnion({unionOf(shaft(), metaphysis), neck, calcar, greater, lesser, lateralLip, medialLip}, 5);
+  return smoothUnion({withElbow(bone), sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
 }
 
 Field field() {

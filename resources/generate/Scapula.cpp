@@ -22,68 +22,73 @@ double bend(double x, double y) {
 Field bladeField() {
   Plate plate_;
   plate_.frame = blade();
-  plate_.outline = closedCurve({{0.5, 0},
-                                {6, 18},
-                                {22, 33},
-                                {38, 38},
-                                {55, 31},
-                                {76, 19},
-                                {88, 11},
-                                {100, 10},
-                                {108, -2},
-                                {108, -30},
-                                {100, -42},
-                                {80, -64},
-                                {56, -92},
-                                {26, -120},
-                                {9, -127},
-                                {2, -121},
-                                {-1, -90},
-                                {-1.5, -50},
-                                {0, -20}},
+  // From the root of the spine over the upper angle, down the upper border to the suprascapular notch beside the
+  // coracoid, under the neck and down the outer border to the lower angle; the inner border is bowed.
+  plate_.outline = closedCurve({{-1, 0},     {3.5, 12},  {12, 25},   {24, 34},  {37, 38.5}, {46, 35},   {57, 26},
+                                {68, 17},    {77, 9.5},  {83, 6.5},  {89, 9},   {100, 10},  {108, -2},  {108, -30},
+                                {100, -42},  {80, -64},  {56, -92},  {26, -120}, {9, -127}, {1, -121},  {-4, -105},
+                                {-7.5, -82}, {-8, -56},  {-5.5, -30}, {-2.5, -14}},
                                5);
   plate_.thickness = 3.4;
   plate_.rounding = 1.6;
   plate_.height = bend;
   const auto knot = [](double x, double y, double r, double d = 0) { return Knot{onBlade(x, y, d), r}; };
   const Field lateral = chain(
-      {knot(9, -122, 2.8), knot(34, -110, 3.3), knot(58, -85, 3.6), knot(82, -60, 4.0), knot(100, -38, 6.0)});
-  const Field medial = chain({knot(8, -122, 2.8), knot(2, -95, 1.8), knot(1.5, -50, 1.8), knot(3, 0, 2.0),
-                              knot(8, 19, 2.1), knot(23, 32, 2.3), knot(38, 36, 2.4)});
+      {knot(9, -122, 2.8), knot(34, -110, 3.3), knot(58, -85, 3.6), knot(82, -60, 4.0), knot(100, -39, 4.8),
+       {glenoid().toWorld({0, -15, -7}), 6.5}});
+  const Field medial = chain({knot(8, -122, 2.8), knot(-3, -97, 1.7), knot(-6, -60, 1.6), knot(-2.5, -22, 1.6), knot(1.5, 0, 1.8),
+                              knot(8, 17, 1.7), knot(23, 31.5, 1.8), knot(37, 36.2, 1.9)});
   return smoothUnion({smoothUnion({plate(plate_), lateral}, 5), medial}, 2.5);
 }
 
+/// The spine: a wall from the blade to its crest, which broadens outward into the acromion. Its free outer border is
+/// hollow and comes near the neck of the socket, from which the spinoglenoid notch separates it.
 Field spineField() {
   Plate wall;
   wall.frame = blade();
   // In this plate x runs along the spine, y dorsally, z is the height in the blade's plane.
   wall.frame.axes << blade().axes.col(0), blade().axes.col(2), -blade().axes.col(1);
-  wall.outline = closedCurve({{1, -2},
-                              {12, 2.5},
-                              {32, 9.5},
-                              {60, 24},
-                              {88, 38},
-                              {108, 43},
-                              {116, 42},
-                              {110, 36},
-                              {100, 29},
-                              {93, 18},
-                              {90, 6},
-                              {88, -4},
-                              {40, -4}},
+  wall.outline = closedCurve({{1, -2},  {12, 2.5}, {32, 9.5},  {60, 24},   {88, 38}, {106, 41.5}, {112, 40}, {111, 33},
+                              {105, 26}, {99, 21}, {96.5, 16}, {97.5, 10}, {97, 3},  {94, -5},    {70, -4},   {40, -1.5}, {15, -1.2}},
                              5);
-  wall.thickness = 4.6;
-  wall.rounding = 2.2;
-  wall.height = [](double x, double y) { return -(0.05 * x * y / 40 + 0.02 * x); };
+  wall.thickness = 4.2;
+  wall.rounding = 2;
+  wall.height = [](double x, double y) { return -(0.06 * x * y / 40 + 0.03 * x); };
   const auto crest = [](double x, double y, double z) { return blade().toWorld({x, y, z}); };
-  const Field lip = stretched(chain({{crest(3, 0, 0), 2.2},
-                                     {crest(14, 0.5, 6.5), 2.9},
-                                     {crest(34, 1.5, 11.5), 3.4},
-                                     {crest(62, 3.5, 25.5), 3.9},
-                                     {crest(90, 6, 38.5), 4.2},
-                                     {crest(112, 7, 43.5), 4.6}}),
-                              crest(60, 3, 26), blade().axes.col(1), 1.35);
-  return smoothUnion({plate(wall), lip}, 5);
+  // The crest's two edges start together in a smooth triangle at the inner border and part on their way out.
+  const Field upper = chain({{crest(2, 0.6, 0), 2.0},
+                             {crest(16, 1.4, 5.2), 2.3},
+                             {crest(36, 3.6, 11.6), 2.5},
+                             {crest(62, 7.6, 25), 2.7},
+                             {crest(82, 11, 33.5), 2.9},
+                             {crest(94, 13.5, 34.5), 3.2}});
+  const Field lower = chain({{crest(2, -0.6, 0), 2.0},
+                             {crest(10, -1, 4.5), 2.4},
+                             {crest(22, -2.8, 8.4), 2.6},
+                             {crest(37, -2.8, 13.8), 2.8},
+                             {crest(62, 2.2, 27.5), 3.0},
+                             {crest(88, 5.0, 39), 3.3},
+                             {crest(103, 4.6, 41), 3.4},
+                             {crest(113, 4.4, 40.8), 3.4}});
+  return smoothUnion({plate(wall), smoothUnion({upper, lower}, 4)}, 4);
+}
+
+/// Acromion and the broad end of the spine's crest that runs into it, as one bent plate.
+Field roofField() {
+  Plate roof;
+  roof.frame = acromion();
+  roof.outline = closedCurve({{-28.5, -4.5}, {-25, -7.8}, {-14, -10.8}, {0, -11.8}, {13, -10.2}, {20.5, -6.6}, {24.8, -1}, {23.5, 5},
+                              {17, 9.6},     {6, 11.8},   {-5, 13},     {-12, 15.5}, {-18, 19},  {-23, 25},    {-28, 31},  {-32, 31},
+                              {-33.5, 24},   {-32.6, 12}, {-30.4, 1}},
+                             5);
+  roof.thickness = 8.4;
+  roof.rounding = 3;
+  roof.height = [](double x, double y) {
+    const double inward = std::max(y - 12, 0.0);
+    return 3.2 * (1 - x * x / 676) - (inward > 0 ? 1.73 + 0.25 * inward : 0.012 * y * y);
+  };
+  roof.taper = [](double, double y) { return 1 - 0.3 * std::clamp((y - 12) / 24, 0.0, 1.0); };
+  return plate(roof);
 }
 
 }  // namespace
@@ -146,8 +151,8 @@ Vec3 onBlade(double x, double y, double dorsal) {
 }
 
 std::vector<Knot> coracoid() {
-  return {{{-9, 6, -41}, 9.5},      {{-3, 16.5, -44}, 8.6},   {{7, 22.5, -43.0}, 7.4},
-          {{17, 20.0, -37.5}, 6.9}, {{23.6, 14.7, -33}, 6.4}, {{26.3, 11.5, -31.6}, 5.6}};
+  return {{{-9, 6, -41}, 9.5},    {{-4, 16.5, -45}, 8.4},   {{6.5, 22.0, -44.2}, 7.6},
+          {{17, 20.0, -38}, 6.9}, {{23.6, 14.7, -33}, 6.4}, {{26.3, 11.5, -31.6}, 5.6}};
 }
 
 Field coracoidField() {
@@ -156,26 +161,9 @@ Field coracoidField() {
 }
 
 Field acromionField() {
-  Plate roof;
-  roof.frame = acromion();
-  roof.outline = closedCurve({{-27, -9},
-                              {-14, -12.6},
-                              {2, -12.8},
-                              {15, -10.6},
-                              {23, -6},
-                              {25, -0},
-                              {22, 6},
-                              {13, 9.5},
-                              {0, 10},
-                              {-12, 9},
-                              {-22, 10},
-                              {-32, 14},
-                              {-36, 6}},
-                             5);
-  roof.thickness = 8.4;
-  roof.rounding = 3.6;
-  roof.height = [](double x, double y) { return 3.2 * (1 - x * x / 676) - 0.012 * y * y; };
-  return plate(roof);
+  return [roof = roofField(), frame = acromion()](const Vec3& p) {
+    return std::max(roof(p), frame.toLocal(p).y() - 16);
+  };
 }
 
 Field field() {
@@ -189,13 +177,14 @@ Field field() {
     const double end = std::max(q.z() - 7, -20 - q.z());
     return std::min(std::max(side, end), 0.0) + Vec2(std::max(side, 0.0), std::max(end, 0.0)).norm() - 1.6;
   };
-  const Field neck = chain({{onBlade(82, -12, 0), 5}, {socket.toWorld({0, -2, -14}), 10.5}});
-  const Field infraglenoid = chain({{onBlade(98, -40, 0), 6}, {socket.toWorld({0, -15, -7}), 6.5}});
-  Field bone = smoothUnion({bladeField(), neck, infraglenoid}, 9);
+  const Field neck = chain({{onBlade(84, -13, 0), 1}, {onBlade(94, -13, 0.5), 5}, {socket.toWorld({0, -2, -14}), 10.5}});
+  // The coracoid's root: broad, with a corner over the suprascapular notch.
+  const Field root = chain({{onBlade(93, 6, 1), 4.5}, {blade().toWorld({95.5, 13.5, -14}), 4.6}, {coracoid()[1].at + Vec3(-1, -2, -2), 6}});
+  Field bone = smoothUnion({bladeField(), neck}, 9);
   bone = smoothUnion({bone, block}, 5);
   bone = smoothUnion({bone, spineField()}, 6);
-  bone = smoothUnion({bone, acromionField()}, 7);
-  bone = smoothUnion({bone, coracoidField()}, 6);
+  bone = smoothUnion({bone, roofField()}, 7);
+  bone = smoothUnion({bone, smoothUnion({coracoidField(), root}, 4)}, 6);
   return smoothSubtract(bone, sphere((kSocketRadius - kSocketDepth) * socket.axes.col(2), kSocketRadius),
                         2.0);
 }
