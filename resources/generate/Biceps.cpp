@@ -131,7 +131,7 @@ Surfaces labrum(const Bones& bones) {
       const RimPoint rim = rimAt(double(j) / count);
       const Vec3 inner = project(bones.scapulaShape, rim.at - 3.7 * rim.out, 0.1),
                  outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - (rounded ? 4.6 : 4.2) * n, 0.4);
-      const Vec3 toEdge = (rim.at + 0.7 * rim.out).normalized();
+      const Vec3 toEdge = (rim.at + 2.2 * rim.out).normalized();
       const Vec3 edge = settle(head, 30 * toEdge, toEdge, room, 10);
       if (rounded)
         rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,

@@ -32,6 +32,11 @@ Importance onScapula() {
   };
 }
 
+/// What is looked at closely gets more triangles, but nothing is left as coarse as for contact.
+Importance seen(const Importance& touched) {
+  return [touched](const Vec3& p) { return std::max(touched(p), 0.4); };
+}
+
 }  // namespace
 
 Field fieldOf(const TriMesh& closed) {
@@ -50,8 +55,10 @@ Bones makeBones() {
   };
   const TriMesh humerusFine = fine(bones.humerusShape, Box3(Vec3(-45, -320, -40), Vec3(45, 40, 105)), 1.6);
   const TriMesh scapulaFine = fine(bones.scapulaShape, Box3(Vec3(-100, -155, -130), Vec3(45, 60, 25)), 1.3);
-  bones.humerus = {simplified(humerusFine, 5188), coarseOf(humerusFine, bones.humerusShape, 116, onHumerus)};
-  bones.scapula = {simplified(scapulaFine, 10224), coarseOf(scapulaFine, bones.scapulaShape, 110, onScapula())};
+  bones.humerus = {thinned(humerusFine, 5188, seen(onHumerus)),
+                   coarseOf(humerusFine, bones.humerusShape, 116, onHumerus)};
+  bones.scapula = {thinned(scapulaFine, 10224, seen(onScapula())),
+                   coarseOf(scapulaFine, bones.scapulaShape, 110, onScapula())};
   bones.humerusCoarse = fieldOf(bones.humerus.collision);
   // Coarse triangles fill the socket a little: it keeps off the head, at least as far as the labrum's edge needs.
   keepClear(bones.scapula.collision, bones.humerusCoarse, 1.8);

@@ -110,7 +110,7 @@ void fit(TriMesh& coarse, const TriMesh& fine, const Field& shape, const Importa
   coarse = std::move(best);
 }
 
-TriMesh coarseOf(const TriMesh& fine, const Field& shape, int triangles, const Importance& importance) {
+TriMesh thinned(const TriMesh& fine, int triangles, const Importance& importance) {
   SimplifyOptions options;
   options.keepVolume = false;
   for (const Vec3& p : fine.vertices) options.importance.push_back(importance(p));
@@ -119,8 +119,13 @@ TriMesh coarseOf(const TriMesh& fine, const Field& shape, int triangles, const I
     std::fprintf(stderr, "simplify: %s\n", toLogLine(answer.error()).c_str());
     std::abort();
   }
-  fit(*answer, fine, shape, importance);
   return std::move(*answer);
+}
+
+TriMesh coarseOf(const TriMesh& fine, const Field& shape, int triangles, const Importance& importance) {
+  TriMesh coarse = thinned(fine, triangles, importance);
+  fit(coarse, fine, shape, importance);
+  return coarse;
 }
 
 }  // namespace glenoid::generate

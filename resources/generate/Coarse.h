@@ -14,6 +14,9 @@ using Importance = std::function<double(const Vec3&)>;
 /// surface cannot be simplified (its shape is a constant of this program).
 TriMesh coarseOf(const TriMesh& fine, const Field& shape, int triangles, const Importance& importance);
 
+/// The fine surface in fewer triangles, more of them where it matters; everything else as above but without the fit.
+TriMesh thinned(const TriMesh& fine, int triangles, const Importance& importance);
+
 /// Moves the vertices of a coarse surface to fit a fine one, as coarseOf does.
 void fit(TriMesh& coarse, const TriMesh& fine, const Field& shape, const Importance& importance);
 

@@ -36,7 +36,7 @@ Field bladeField() {
   const Field lateral = chain(
       {knot(9, -122, 2.8), knot(34, -110, 3.3), knot(58, -85, 3.6), knot(82, -60, 4.0), knot(100, -39, 4.8),
        {glenoid().toWorld({0, -15, -7}), 6.5}});
-  const Field medial = chain({knot(8, -122, 2.8), knot(-3, -97, 1.7), knot(-6, -60, 1.6), knot(-2.5, -22, 1.6), knot(1.5, 0, 1.8),
+  const Field medial = chain({knot(8, -122, 2.8), knot(-3, -97, 1.7), knot(-6, -60, 1.6), knot(-2.5, -22, 1.6), knot(1.4, 0, 1.5),
                               knot(8, 17, 1.7), knot(23, 31.5, 1.8), knot(37, 36.2, 1.9)});
   return smoothUnion({smoothUnion({plate(plate_), lateral}, 5), medial}, 2.5);
 }
@@ -48,7 +48,7 @@ Field spineField() {
   wall.frame = blade();
   // In this plate x runs along the spine, y dorsally, z is the height in the blade's plane.
   wall.frame.axes << blade().axes.col(0), blade().axes.col(2), -blade().axes.col(1);
-  wall.outline = closedCurve({{1, -2},  {12, 2.5}, {32, 9.5},  {60, 24},   {88, 38}, {106, 41.5}, {112, 40}, {111, 33},
+  wall.outline = closedCurve({{5, -1},  {12, 2.5}, {32, 9.5},  {60, 24},   {88, 38}, {106, 41.5}, {112, 40}, {111, 33},
                               {105, 26}, {99, 21}, {96.5, 16}, {97.5, 10}, {97, 3},  {94, -5},    {70, -4},   {40, -1.5}, {15, -1.2}},
                              5);
   wall.thickness = 4.2;
@@ -56,13 +56,13 @@ Field spineField() {
   wall.height = [](double x, double y) { return -(0.06 * x * y / 40 + 0.03 * x); };
   const auto crest = [](double x, double y, double z) { return blade().toWorld({x, y, z}); };
   // The crest's two edges start together in a smooth triangle at the inner border and part on their way out.
-  const Field upper = chain({{crest(2, 0.6, 0), 2.0},
+  const Field upper = chain({{crest(5, 0.6, 0.6), 1.8},
                              {crest(16, 1.4, 5.2), 2.3},
                              {crest(36, 3.6, 11.6), 2.5},
                              {crest(62, 7.6, 25), 2.7},
                              {crest(82, 11, 33.5), 2.9},
                              {crest(94, 13.5, 34.5), 3.2}});
-  const Field lower = chain({{crest(2, -0.6, 0), 2.0},
+  const Field lower = chain({{crest(5, -0.6, 1.4), 1.8},
                              {crest(10, -1, 4.5), 2.4},
                              {crest(22, -2.8, 8.4), 2.6},
                              {crest(37, -2.8, 13.8), 2.8},
@@ -131,7 +131,7 @@ std::vector<Vec2> glenoidRim() {
   // Pear: 37 high, 28 wide below, 19 in the upper third; a little in front of and above the deepest point.
   return closedCurve({{0.2, 19.0},
                       {-5.3, 16.5},
-                      {-8.1, 10.3},
+                      {-8.6, 10.3},
                       {-10.3, 2.3},
                       {-12.6, -5.7},
                       {-10.8, -13.2},
@@ -141,7 +141,7 @@ std::vector<Vec2> glenoidRim() {
                       {13.4, -12.7},
                       {15.2, -5.7},
                       {12.8, 2.3},
-                      {10.8, 10.3},
+                      {11.2, 10.3},
                       {6.7, 16.9}},
                      6);
 }
@@ -151,8 +151,8 @@ Vec3 onBlade(double x, double y, double dorsal) {
 }
 
 std::vector<Knot> coracoid() {
-  return {{{-9, 6, -41}, 9.5},    {{-4, 16.5, -45}, 8.4},   {{6.5, 22.0, -44.2}, 7.6},
-          {{17, 20.0, -38}, 6.9}, {{23.6, 14.7, -33}, 6.4}, {{26.3, 11.5, -31.6}, 5.6}};
+  return {{{-9, 6, -41}, 9.5},    {{-3.5, 16.5, -44.5}, 8.4}, {{6.8, 22.0, -43.6}, 7.5},
+          {{17, 20.0, -37.6}, 6.9}, {{23.3, 14.9, -33}, 6.4}, {{25.6, 12.0, -31.8}, 5.6}};
 }
 
 Field coracoidField() {

@@ -16,8 +16,8 @@ struct Ground {
 Ground over(const Ground& a, const Ground& b);
 Ground groundOf(const Surfaces& surfaces);
 
-/// S-shaped from its sternal to its acromial end, which stops short of the acromion. About 170 mm long, since both ends
-/// follow the scaled landmarks; published: 152 ± 11 mm in men (Andermahr et al., Clin Anat 20:48, 2007).
+/// S-shaped from its sternal to its acromial end, which stops short of the acromion. Its lateral half follows the scaled
+/// landmarks, its length what is published: 152 ± 11 mm in men (Andermahr et al., Clin Anat 20:48, 2007).
 Surfaces clavicle(const Bones& bones);
 
 /// The three parts of the deltoid, from the clavicle, the acromion and the spine to the deltoid tuberosity, laid over

@@ -68,10 +68,12 @@ TEST(Cuff, tendonsAndFootprintsMeasureAsPublished) {
     expectMeasure(name + ", footprint along the cartilage", size.size[0], "mm",
                   tenth(row.length, "Curtis 2006"));
     expectMeasure(name + ", footprint away from it", size.size[1], "mm", tenth(row.width, "Curtis 2006"));
-    // The source gives no areas: a rectangle of its length and width is the most that they can be.
-    reportMeasure(name + ", footprint area", areaOf(footprint), "mm2",
-                  tenth(row.length * row.width, "Curtis 2006, length x width"),
-                  "only a rectangle has this area");
+    // The source gives lengths and widths, no areas: between an ellipse and a rectangle of its size, each length within
+    // a tenth.
+    const double rectangle = row.length * row.width, ellipse = 3.14159265 / 4 * rectangle;
+    const double least = 0.81 * ellipse, most = 1.21 * rectangle;
+    expectMeasure(name + ", footprint area", areaOf(footprint), "mm2",
+                  {(least + most) / 2, (most - least) / 2, "Curtis 2006, ellipse to rectangle"});
     expectMeasure(name + ", bonded along the cartilage", extentAlong(bonded.vertices, along), "mm",
                   tenth(row.length, "Curtis 2006"));
     expectMeasure(name + ", bonded away from it", extentAlong(bonded.vertices, fibre), "mm",
@@ -183,9 +185,10 @@ TEST(Biceps, measuresAsPublished) {
       girth += (cut.points[k + 1] - cut.points[k]).norm();
     length += areaOf(*part) / girth;
   }
-  // Khan measured the free part; this cord goes on below the groove, to where the scene ends.
-  reportMeasure("biceps tendon with its root, length", length, "mm", tenth(81, "Khan 2020, free part"),
-                "goes on below the groove");
+  // From the origin on the supraglenoid tubercle to where the muscle begins, below the groove. The length of Khan 2020
+  // (81 ± 19 mm) is not told from where to where.
+  expectMeasure("biceps tendon with its root, length", length, "mm",
+                tenth(138, "Hussain 2015, origin to musculotendinous junction"));
 }
 
 TEST(Labrum, measuresAsPublished) {
@@ -232,11 +235,16 @@ TEST(Labrum, measuresAsPublished) {
   }
   expectMeasure("labrum, height of its section", height, "mm", {3.5, 0.5, "anatomy.md 2.3: 3 to 4"});
   expectMeasure("labrum, width of its section", width, "mm", {4.5, 0.5, "anatomy.md 2.3: 4 to 5"});
-  expectMeasure("depth of the socket with the labrum", edge, "mm", {7.1, 0.9, "PMC12925909"});
-  std::vector<Vec3> cup = edges;
-  for (int k = 0; k < 12; ++k) cup.push_back(centre);
-  reportMeasure("radius of the socket with the labrum", fitSphere(cup).radius, "mm",
-                {25.0, 2.1, "PMC12925909"}, "through the free edge and the deepest point");
+  // The source looks at the socket's surface: over the bone lie 1.7 to 2.5 mm of cartilage (anatomy.md 1), which the joint
+  // has as room between the bones.
+  constexpr double kCartilage = 2.1;
+  expectMeasure("depth of the socket with the labrum", edge - kCartilage, "mm", {7.1, 0.9, "PMC12925909"});
+  // The source draws its circles in the supero-inferior plane: through the free edge above and below and the deepest
+  // point of the cartilage between them.
+  const Vec3 deepest = centre + kCartilage * normal, toUpper = edges[3] - deepest, toLower = edges[9] - deepest;
+  const double chord = (toUpper - toLower).norm(), twiceArea = toUpper.cross(toLower).norm();
+  expectMeasure("radius of the socket with the labrum", toUpper.norm() * toLower.norm() * chord / (2 * twiceArea), "mm",
+                {25.0, 2.1, "PMC12925909, supero-inferior plane"});
 }
 
 TEST(Shoulder, visualSurfacesDoNotCutThemselves) {
