@@ -124,14 +124,14 @@ Surfaces labrumTendon(const Bones& bones) {
 
 Surfaces labrum(const Bones& bones) {
   const Vec3 n = scapula::glenoid().axes.col(2);
-  // A triangle over the rim: its base on bone, 4.5 wide, its free edge a millimetre from the head.
+  // A triangle over the rim: its base on bone, 4.5 wide, its free edge a good millimetre from the head.
   const auto ring = [&](int count, bool rounded, const Field& head, double room) {
     std::vector<std::vector<Vec3>> rings;
     for (int j = 0; j < count; ++j) {
       const RimPoint rim = rimAt(double(j) / count);
       const Vec3 inner = project(bones.scapulaShape, rim.at - 3.7 * rim.out, 0.1),
                  outer = project(bones.scapulaShape, rim.at + 0.8 * rim.out - (rounded ? 4.6 : 4.2) * n, 0.4);
-      const Vec3 toEdge = (rim.at + 2.2 * rim.out).normalized();
+      const Vec3 toEdge = (rim.at + 1.4 * rim.out).normalized();
       const Vec3 edge = settle(head, 30 * toEdge, toEdge, room, 10);
       if (rounded)
         rings.push_back({inner, 0.55 * inner + 0.45 * edge, edge - 0.5 * rim.out, edge + 0.7 * rim.out,
@@ -141,7 +141,7 @@ Surfaces labrum(const Bones& bones) {
     }
     return torus(rings);
   };
-  return {ring(53, true, bones.humerusShape, 0.9), ring(20, false, bones.humerusCoarse, 1.0)};
+  return {ring(53, true, bones.humerusShape, 1.3), ring(20, false, bones.humerusCoarse, 1.0)};
 }
 
 }  // namespace glenoid::generate

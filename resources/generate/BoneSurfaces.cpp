@@ -55,10 +55,10 @@ Bones makeBones() {
   };
   const TriMesh humerusFine = fine(bones.humerusShape, Box3(Vec3(-45, -320, -40), Vec3(45, 40, 105)), 1.6);
   const TriMesh scapulaFine = fine(bones.scapulaShape, Box3(Vec3(-100, -155, -130), Vec3(45, 60, 25)), 1.3);
-  bones.humerus = {thinned(humerusFine, 5188, seen(onHumerus)),
-                   coarseOf(humerusFine, bones.humerusShape, 116, onHumerus)};
-  bones.scapula = {thinned(scapulaFine, 10224, seen(onScapula())),
-                   coarseOf(scapulaFine, bones.scapulaShape, 110, onScapula())};
+  bones.humerus.visual = thinned(humerusFine, 5188, seen(onHumerus));
+  bones.humerus.collision = coarseOf(bones.humerus.visual, bones.humerusShape, 116, onHumerus);
+  bones.scapula.visual = thinned(scapulaFine, 10224, seen(onScapula()));
+  bones.scapula.collision = coarseOf(bones.scapula.visual, bones.scapulaShape, 110, onScapula());
   bones.humerusCoarse = fieldOf(bones.humerus.collision);
   // Coarse triangles fill the socket a little: it keeps off the head, at least as far as the labrum's edge needs.
   keepClear(bones.scapula.collision, bones.humerusCoarse, 1.8);

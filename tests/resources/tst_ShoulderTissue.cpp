@@ -205,7 +205,7 @@ TEST(Labrum, measuresAsPublished) {
   expectMeasure("labrum, width of the ring", extentAlong(ring.vertices, front), "mm",
                 tenth(30, "reference x 1.0975"));
   // Sections across the ring, every 30 degrees: how high over its base and how wide.
-  double height = 0, width = 0, edge = 0;
+  double height = 0, width = 0;
   std::vector<Vec3> edges;
   constexpr int kCuts = 12;
   for (int i = 0; i < kCuts; ++i) {
@@ -230,16 +230,17 @@ TEST(Labrum, measuresAsPublished) {
       for (const Vec3& q : base) wide = std::max(wide, (p - q).norm());
     width += wide / kCuts;
     height += far / kCuts;
-    edge += (top - centre).dot(normal) / kCuts;
     edges.push_back(top);
   }
   expectMeasure("labrum, height of its section", height, "mm", {3.5, 0.5, "anatomy.md 2.3: 3 to 4"});
   expectMeasure("labrum, width of its section", width, "mm", {4.5, 0.5, "anatomy.md 2.3: 4 to 5"});
-  // The source looks at the socket's surface: over the bone lie 1.7 to 2.5 mm of cartilage (anatomy.md 1), which the joint
+  // The source looks at the socket's surface in the supero-inferior plane: over the bone lie 1.7 to 2.5 mm of cartilage (anatomy.md 1), which the joint
   // has as room between the bones.
   constexpr double kCartilage = 2.1;
-  expectMeasure("depth of the socket with the labrum", edge - kCartilage, "mm", {7.1, 0.9, "PMC12925909"});
-  // The source draws its circles in the supero-inferior plane: through the free edge above and below and the deepest
+  const double edge = 0.5 * (edges[3] + edges[9] - 2 * centre).dot(normal);
+  expectMeasure("depth of the socket with the labrum", edge - kCartilage, "mm",
+                {7.1, 0.9, "PMC12925909, supero-inferior plane"});
+  // The circle through the free edge above and below and the deepest
   // point of the cartilage between them.
   const Vec3 deepest = centre + kCartilage * normal, toUpper = edges[3] - deepest, toLower = edges[9] - deepest;
   const double chord = (toUpper - toLower).norm(), twiceArea = toUpper.cross(toLower).norm();
