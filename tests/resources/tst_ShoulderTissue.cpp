@@ -234,14 +234,13 @@ TEST(Labrum, measuresAsPublished) {
   }
   expectMeasure("labrum, height of its section", height, "mm", {3.5, 0.5, "anatomy.md 2.3: 3 to 4"});
   expectMeasure("labrum, width of its section", width, "mm", {4.5, 0.5, "anatomy.md 2.3: 4 to 5"});
-  // The source looks at the socket's surface in the supero-inferior plane: over the bone lie 1.7 to 2.5 mm of cartilage (anatomy.md 1), which the joint
-  // has as room between the bones.
+  // The source looks at the socket's surface in the supero-inferior plane: over the bone lie 1.7 to 2.5 mm of cartilage
+  // (anatomy.md 1), which the joint has as room between the bones.
   constexpr double kCartilage = 2.1;
   const double edge = 0.5 * (edges[3] + edges[9] - 2 * centre).dot(normal);
   expectMeasure("depth of the socket with the labrum", edge - kCartilage, "mm",
                 {7.1, 0.9, "PMC12925909, supero-inferior plane"});
-  // The circle through the free edge above and below and the deepest
-  // point of the cartilage between them.
+  // The circle through the free edge above and below and the deepest point of the cartilage between them.
   const Vec3 deepest = centre + kCartilage * normal, toUpper = edges[3] - deepest, toLower = edges[9] - deepest;
   const double chord = (toUpper - toLower).norm(), twiceArea = toUpper.cross(toLower).norm();
   expectMeasure("radius of the socket with the labrum", toUpper.norm() * toLower.norm() * chord / (2 * twiceArea), "mm",
