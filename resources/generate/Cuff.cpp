@@ -82,12 +82,12 @@ std::vector<Station> supraspinatusPath() {
 std::vector<Station> infraspinatusPath() {
   const Vec3 up = inBlade(0, 0, 1);
   return {
-      {onBlade(1, -46, 4), up, 28, 6, kSink, 8, 0, 1},
-      {onBlade(5, -46, 4.5), up, 39, 9.5, kSink, 9, 0, 1},
-      {onBlade(14, -45, 5), up, 45, 13.5, kSink, 10, 0, 1},
-      {onBlade(38, -39.5, 5), up, 42, 23, kSink, 10, 0, 1},
+      {onBlade(-5, -48, 4), up, 30, 5, kSink, 8, 0, 1},
+      {onBlade(0, -47.5, 4.5), up, 41, 8.5, kSink, 9, 0, 1},
+      {onBlade(11, -46.5, 5), up, 47, 12.5, kSink, 10, 0, 1},
+      {onBlade(38, -39.5, 5), up, 42, 21.8, kSink, 10, 0, 1},
       {onBlade(68, -26, 6), up, 29, 28, kSink, 12, 0, 1},
-      {onBlade(94, -17, 9), inBlade(0.05, 0.1, 1), 21, 23, 0.3, 6, 0, 0.8},
+      {onBlade(94, -15.5, 9), inBlade(0.05, 0.1, 1), 18.5, 23, 0.3, 6, 0, 0.8},
       {{-35, -4, -13}, {-0.95, 0.1, -0.2}, 16.5, 12, 0.8, 0, 0.5, 0.3},
       {{-26.5, 2.5, 6}, {-0.95, 0.1, 0.25}, 14.5, 7.3, 0.9, 4, 1},
       {{-20.5, 5, 15}, {-0.75, 0.2, 0.65}, 14.6, 6.7, 0.7, 5, 1},
@@ -101,11 +101,11 @@ std::vector<Station> infraspinatusPath() {
 std::vector<Station> subscapularisPath() {
   const Vec3 up = inBlade(0, 0, -1);
   return {
-      {onBlade(-1, -40, -4), up, 34, 4, kSink, 8, 0, 1},
-      {onBlade(3, -40, -4.5), up, 48, 6.5, kSink, 9, 0, 1},
-      {onBlade(12, -40, -5), up, 55, 9.5, kSink, 10, 0, 1},
-      {onBlade(36, -34, -5), up, 51, 15.5, kSink, 10, 0, 1},
-      {onBlade(68, -24, -6), up, 35, 25, kSink, 12, 0, 1},
+      {onBlade(-2, -42, -4), up, 37, 4, kSink, 8, 0, 1},
+      {onBlade(2, -42, -4.5), up, 50, 6, kSink, 9, 0, 1},
+      {onBlade(11, -41, -5), up, 56, 8.5, kSink, 10, 0, 1},
+      {onBlade(36, -34, -5), up, 51, 14.6, kSink, 10, 0, 1},
+      {onBlade(68, -24, -6), up, 34.5, 24.5, kSink, 12, 0, 1},
       {onBlade(95, -17.5, -10), inBlade(0.2, 0, -1), 23, 19.5, 0.3, 4, 0, 0.7},
       {{10, -11, -26.5}, {0.75, -0.2, -0.6}, 19.5, 11, 0.8, 0, 0.5},
       {{19.5, -8, -16.5}, {0.75, -0.15, -0.6}, 19.5, 6.6, 0.9, 6, 1},

@@ -9,6 +9,7 @@
 #include "resources/generate/Relax.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/mesh/Simplify.h"
+#include "simcore/repair/Untangled.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {
@@ -61,7 +62,7 @@ TriMesh surfaceOf(const Flesh& flesh, int triangles) {
   const Field shape = cutOf(raw, flesh);
   TriMesh simple;
   // A thin edge folds over itself on some grids and at some counts and not at others: the first sound surface is taken.
-  for (const double finer : {1.0, 0.93, 1.07, 0.86}) {
+  for (const double finer : {1.0, 0.93}) {
     const double step = finer * flesh.step;
     Box3 box = boundsOf(raw);
     box.min() -= Vec3::Constant(2 * step);
@@ -73,7 +74,7 @@ TriMesh surfaceOf(const Flesh& flesh, int triangles) {
       if (countSelfIntersections(simple) == 0) return simple;
     }
   }
-  return simple;
+  return untangled(std::move(simple));
 }
 
 double placeAlong(const std::vector<Station>& stations, const Vec3& p) {

@@ -6,7 +6,7 @@
 #include "simcore/author/NearCouplings.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/mesh/Simplify.h"
-#include "simcore/repair/RepairStep.h"
+#include "simcore/repair/Untangled.h"
 
 namespace glenoid {
 namespace {
@@ -14,21 +14,6 @@ namespace {
 Error inPart(Error error, const std::string& part) {
   if (error.place.part.empty()) error.place.part = part;
   return error;
-}
-
-/// What simplifying made of a tangled surface, without the places where it cuts itself; as it is where they cannot be
-/// mended so that a sound surface remains.
-TriMesh untangled(TriMesh mesh) {
-  if (countSelfIntersections(mesh) == 0) return mesh;
-  std::vector<RepairStep> steps;
-  for (const RepairKind kind : {RepairKind::RemoveSelfIntersections, RepairKind::FillHoles}) {
-    RepairStep step;
-    step.kind = kind;
-    steps.push_back(step);
-  }
-  auto mended = repair(mesh, steps);
-  if (!mended || !healthOf(mended->mesh).healthy() || countSelfIntersections(mended->mesh) > 0) return mesh;
-  return std::move(mended->mesh);
 }
 
 Result<Part> surfacesOf(const PartRecipe& recipe) {
