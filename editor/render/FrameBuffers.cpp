@@ -55,7 +55,6 @@ bool FrameBuffers::resize(int width, int height, int factor, int samples) {
     makeStore(m_manyDepth, GL_DEPTH_COMPONENT32F, w, h, samples, GL_DEPTH_ATTACHMENT);
     good = good && complete();
   }
-  good = makeSingle(m_occlusionFrame, m_occlusion, GL_RG16F, GL_RG, GL_HALF_FLOAT, width, height) && good;
   good = makeSingle(m_maskFrame, m_mask, GL_R8, GL_RED, GL_UNSIGNED_BYTE, width, height) && good;
   if (!good) return false;
   m_width = width, m_height = height, m_factor = factor, m_samples = samples;
@@ -76,11 +75,6 @@ void FrameBuffers::resolveScene() {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, m_many.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_resolved.id());
   glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-}
-
-void FrameBuffers::bindOcclusion() {
-  glBindFramebuffer(GL_FRAMEBUFFER, m_occlusionFrame.id());
-  glViewport(0, 0, m_width, m_height);
 }
 
 void FrameBuffers::bindMask() {

@@ -4,8 +4,8 @@
 
 namespace glenoid {
 
-/// The renderer's own targets: scene (linear, half floats, depth), its resolved form, occlusion and outline
-/// mask. Kept between frames and made anew when a size changes.
+/// The renderer's own targets: scene (linear, half floats, depth), its resolved form and outline mask.
+/// Kept between frames and made anew when a size changes.
 class FrameBuffers {
  public:
   /// width, height: of the picture; factor: scene texels per pixel along a side; samples: 1 or MSAA.
@@ -14,12 +14,10 @@ class FrameBuffers {
 
   void bindScene();     ///< cleared: transparent black, farthest depth
   void resolveScene();  ///< makes color() and depth() valid
-  void bindOcclusion();
   void bindMask();  ///< cleared: nothing selected
 
   unsigned color() { return m_color.id(); }
   unsigned depth() { return m_depth.id(); }
-  unsigned occlusion() { return m_occlusion.id(); }
   unsigned mask() { return m_mask.id(); }
   int width() const { return m_width; }
   int height() const { return m_height; }
@@ -27,9 +25,9 @@ class FrameBuffers {
 
  private:
   int m_width = 0, m_height = 0, m_factor = 0, m_samples = 0;
-  GlFramebuffer m_many, m_resolved, m_occlusionFrame, m_maskFrame;
+  GlFramebuffer m_many, m_resolved, m_maskFrame;
   GlRenderbuffer m_manyColor, m_manyDepth;
-  GlTexture m_color, m_depth, m_occlusion, m_mask;
+  GlTexture m_color, m_depth, m_mask;
 };
 
 /// A picture's target: 8-bit RGBA that can be read back.

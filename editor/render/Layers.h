@@ -73,7 +73,7 @@ struct Look {
   bool dark = false;             ///< background for a dark theme
   bool transparent = false;      ///< no background: alpha 0 where nothing is
   bool detail = true;            ///< fibres of muscle, mottled bone
-  bool ambientOcclusion = true;  ///< darker hollows; costs one screen pass
+  bool ambientOcclusion = true;  ///< darker hollows, and tissue darker near a tool
   int samples = -1;              ///< MSAA; −1: 4, or 1 on a software renderer
   int supersample = 1;           ///< 1…4: drawn larger by this factor and averaged
   double pixelRatio = 1;         ///< device pixels per logical pixel: width of lines and size of the marker

@@ -18,6 +18,8 @@ Result<Image> SceneRenderer::picture(const View& view, const VecX& q, const Laye
                  "picture size"};
   ReadableTarget target;
   if (!target.resize(width, height)) return Error{Fault::NoGraphics, {}, {}, "no target for a picture"};
+  if (look.ambientOcclusion)
+    if (auto answer = m_inside->occlusionJob.take(true)) m_inside->occlusion = std::move(answer);
   draw(view, q, layers, contacts, look, {target.framebuffer(), width, height});
 
   Image image{width, height, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * height)};

@@ -50,6 +50,8 @@ void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const
   surface->set("opacity", look.opacity);
   surface->set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
   const bool plain = shown.kind == SurfaceKind::Collision;
+  surface->set("occluded", occluded && !plain ? 1.0f : 0.0f);
+  surface->set("shafts", occluded && !plain && !object.tool ? shafts : 0);
   surface->set("roughness", object.roughness);
   surface->set("wet", plain ? 0.0f : object.wet);
   surface->set("grain", plain ? 0 : static_cast<int>(object.grain));

@@ -95,8 +95,19 @@ class Builder {
     if (auto added = addSurface(object, object.visual, geometry.visual); !added) return added;
     if (auto added = addSurface(object, object.collision, geometry.collision); !added) return added;
     if (geometry.visual.present) addTissue(object, geometry);
+    if (geometry.visual.present && object.tool) geometry.shaft = shaftOf(object.visual);
     if (!l.rigid && object.volume) return addTetrahedra(object, geometry);
     return Done{};
+  }
+
+  /// A tool's own frame has its origin at the tip and +Z along the shaft; Y is across it.
+  static ToolShaft shaftOf(const SurfaceBinding& visual) {
+    const TriMesh& mesh = *visual.mesh;
+    const Vec3 centre = mesh.vertices[0] - visual.vertices[0].r_B;
+    double length = 0, radius = 0;
+    for (const Vec3& x : mesh.vertices) length = std::max(length, x.z()), radius = std::max(radius, std::abs(x.y()));
+    const Vec3 from = Vec3(0, 0, std::min(radius, length)) - centre, to = Vec3(0, 0, length) - centre;
+    return {from.cast<float>(), to.cast<float>(), static_cast<float>(radius)};
   }
 
   const Part* partOf(const SceneObject& object) const {

@@ -41,6 +41,12 @@ struct RegionRanges {
   Range triangles;                ///< indices
 };
 
+/// A tool as what darkens tissue near it: from its tip's middle along +Z, about its mass centre as the vertices are.
+struct ToolShaft {
+  Eigen::Vector3f from_B = Eigen::Vector3f::Zero(), to_B = Eigen::Vector3f::Zero();
+  float radius = 0;  ///< m
+};
+
 struct ObjectGeometry {
   std::string id, name;
   bool tool = false;
@@ -49,7 +55,8 @@ struct ObjectGeometry {
   std::array<float, 3> color{};  ///< sRGB
   ObjectLayout layout;
   SurfaceRanges visual, collision;
-  Range tetEdges;  ///< indices, two for each edge
+  ToolShaft shaft;  ///< tools only
+  Range tetEdges;   ///< indices, two for each edge
   const SurfaceRanges& surface(SurfaceKind kind) const {
     return kind == SurfaceKind::Visual ? visual : collision;
   }

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "editor/render/Marker.h"
 #include "editor/render/SceneRendererInside.h"
 
 namespace glenoid {
 namespace {
-
-/// Share of the scene's diagonal within which surfaces shade each other.
-constexpr double kOcclusionReach = 0.045;
 
 bool anyChosen(const Layers& layers) {
   return std::any_of(layers.objects.begin(), layers.objects.end(),
@@ -39,8 +37,7 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
   };
   for (const Wanted& wanted : {Wanted{&in.plainSurface, "surface.vert.glsl", "surface.frag.glsl"},
                                Wanted{&in.mask, "surface.vert.glsl", "mask.frag.glsl"},
-                               Wanted{&in.pick, "surface.vert.glsl", "pick.frag.glsl"},
-                               Wanted{&in.occlusion, "screen.vert.glsl", "occlusion.frag.glsl"}}) {
+                               Wanted{&in.pick, "surface.vert.glsl", "pick.frag.glsl"}}) {
     auto program = Program::build({wanted.vertex, wanted.fragment});
     if (!program) return program.error();
     *wanted.program = std::move(*program);
@@ -48,14 +45,11 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
   auto detailed = Program::build({"surface.vert.glsl", "surface.frag.glsl"}, nullptr, "#define DETAIL\n");
   if (!detailed) return detailed.error();
   in.detailedSurface = std::move(*detailed);
-  for (const int occlusion : {0, 1})
-    for (const int outline : {0, 1}) {
-      std::string defines = occlusion ? "#define WITH_OCCLUSION\n" : "";
-      if (outline) defines += "#define WITH_OUTLINE\n";
-      auto program = Program::build({"screen.vert.glsl", "compose.frag.glsl"}, nullptr, defines);
-      if (!program) return program.error();
-      in.compose[occlusion][outline] = std::move(*program);
-    }
+  for (const int outline : {0, 1}) {
+    auto program = Program::build({"screen.vert.glsl", "compose.frag.glsl"}, nullptr, outline ? "#define WITH_OUTLINE\n" : "");
+    if (!program) return program.error();
+    in.compose[outline] = std::move(*program);
+  }
   if (auto built = in.evaluator.build(); !built) return built.error();
   if (auto built = in.painter.build(); !built) return built.error();
   if (auto built = in.labelPainter.build(); !built) return built.error();
@@ -70,7 +64,50 @@ Result<Done> SceneRenderer::setScene(const Model& model) {
   in.scene = std::move(*geometry);
   in.boxedQ.resize(0);
   in.boxes.clear();
+  in.presence.clear();
+  // An edit that moves no surface keeps what was cast.
+  if (in.occlusion && in.occlusion->holdsFor(in.scene, model.start.q)) return Done{};
+  in.occlusion.reset();
+  in.occlusionJob.start(in.scene, model.start.q);
   return Done{};
+}
+
+bool SceneRenderer::settling() const {
+  return m_inside->occlusionJob.running();
+}
+
+void SceneRenderer::Inside::updateOcclusion(const VecX& q, const Layers& layers) {
+  if (auto answer = occlusionJob.take(false)) occlusion = std::move(answer);
+  if (!occlusion) return;
+  std::vector<float> opacity(scene.objects.size(), 0.0f);
+  for (const Shown& s : shownSurfaces(layers))
+    if (s.kind == SurfaceKind::Visual) opacity[s.object] = std::clamp(layers.lookOf(s.object).opacity, 0.0f, 1.0f);
+  std::vector<float> now = occlusion->presence(scene, q, opacity);
+  if (now == presence) return;
+  presence = std::move(now);
+  evaluator.setOpenness(occlusion->openness(scene, presence));
+}
+
+/// Tools that are shown, as shafts in camera axes, to the program that draws surfaces.
+void SceneRenderer::Inside::placeShafts(const VecX& q, const Eye& eye, const Layers& layers) {
+  constexpr const char* kNames[][2] = {
+      {"shaftFrom[0]", "shaftTo[0]"}, {"shaftFrom[1]", "shaftTo[1]"}, {"shaftFrom[2]", "shaftTo[2]"}, {"shaftFrom[3]", "shaftTo[3]"}};
+  shafts = 0;
+  surface->use();
+  for (const Shown& s : shownSurfaces(layers)) {
+    const ObjectGeometry& object = scene.objects[s.object];
+    if (!object.tool || s.kind != SurfaceKind::Visual || layers.lookOf(s.object).opacity < 1 || shafts == static_cast<int>(std::size(kNames))) continue;
+    const auto inView = [&](const Eigen::Vector3f& r_B) -> Eigen::Vector3f {
+      GpuVertex vertex;
+      vertex.node = {object.layout.qOffset, -1, 0, 0};
+      vertex.weight = {r_B.x(), r_B.y(), r_B.z(), 0};
+      return (eye.worldToView * positionOf(vertex, q).cast<float>().homogeneous()).head<3>();
+    };
+    const Eigen::Vector3f from = inView(object.shaft.from_B), to = inView(object.shaft.to_B);
+    surface->set(kNames[shafts][0], Eigen::Vector4f(from.x(), from.y(), from.z(), object.shaft.radius));
+    surface->set(kNames[shafts][1], to);
+    ++shafts;
+  }
 }
 
 void SceneRenderer::Inside::updateBoxes(const VecX& q) {
@@ -156,18 +193,16 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
     in.evaluator.evaluate(q);
   }
   const Eye eye = in.eyeFor(view, layers, static_cast<double>(target.width) / target.height);
-  Box3 whole;
-  for (const Box3& box : in.boxes) whole.extend(box);
-  const double diagonal = whole.isEmpty() ? 0.1 : whole.diagonal().norm();
-  const double radius = std::min(kOcclusionReach * diagonal, 0.15 * (view.eye_W - view.target_W).norm());
 
   in.surface = look.detail ? &in.detailedSurface : &in.plainSurface;
+  in.occluded = look.ambientOcclusion;
+  if (fits && look.ambientOcclusion) in.updateOcclusion(q, layers);
+  if (fits) in.placeShafts(q, eye, layers);
   in.frame.bindScene();
   if (fits) in.drawScene(eye, layers, contacts, std::max(look.pixelRatio, 0.1) * in.frame.factor());
   in.frame.resolveScene();
   if (fits && anyChosen(layers)) in.drawMask(eye, layers);
-  if (look.ambientOcclusion) in.drawOcclusion(eye, radius);
-  in.drawComposed(layers, look, target, radius);
+  in.drawComposed(layers, look, target);
   if (layers.marker) in.drawMarker(view, look, target);
   if (!layers.strokes.empty()) in.drawScreenStrokes(layers, look, target);
   if (!labels.empty()) {
@@ -181,41 +216,21 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   glUseProgram(0);
 }
 
-void SceneRenderer::Inside::drawOcclusion(const Eye& eye, double radius) {
-  frame.bindOcclusion();
-  occlusion.use();
-  glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, frame.depth());
-  occlusion.set("depth", 0);
-  occlusion.set("tanHalf", static_cast<float>(eye.tanHalfX), static_cast<float>(eye.tanHalfY));
-  // 1 / distance is linear in the depth that is stored: (2 d − 1 + P22) / P23 with P the projection.
-  const float p22 = eye.viewToClip(2, 2), p23 = eye.viewToClip(2, 3);
-  occlusion.set("depthToZ", 2 / p23, (p22 - 1) / p23);
-  occlusion.set("factor", frame.factor());
-  occlusion.set("size", frame.width(), frame.height());
-  occlusion.set("radius", static_cast<float>(radius));
-  occlusion.set("directions", info.software ? 8 : 16);
-  glBindVertexArray(empty.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look, const Target& target,
-                                         double radius) {
+void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look, const Target& target) {
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   glViewport(0, 0, target.width, target.height);
   const bool outlined = anyChosen(layers);
-  const Program& program = compose[look.ambientOcclusion ? 1 : 0][outlined ? 1 : 0];
+  const Program& program = compose[outlined ? 1 : 0];
   program.use();
-  const unsigned textures[] = {frame.color(), frame.occlusion(), frame.mask()};
-  const char* names[] = {"scene", "occlusion", "mask"};
-  for (int unit = 0; unit < 3; ++unit) {
+  const unsigned textures[] = {frame.color(), frame.mask()};
+  const char* names[] = {"scene", "mask"};
+  for (int unit = 0; unit < 2; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, textures[unit]);
     program.set(names[unit], unit);
   }
   program.set("factor", frame.factor());
   program.set("size", frame.width(), frame.height());
-  program.set("radius", static_cast<float>(radius));
   program.set("outlinePx", std::clamp(static_cast<int>(std::lround(2 * look.pixelRatio)), 1, 5));
   program.set("outlineColor", look.dark ? linearColor(1.0f, 0.72f, 0.25f) : linearColor(0.93f, 0.45f, 0.05f));
   const Eigen::Vector3f top =
@@ -227,7 +242,7 @@ void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look,
   program.set("background", look.transparent ? 0 : 1);
   glBindVertexArray(empty.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  for (int unit = 2; unit >= 0; --unit) {
+  for (int unit = 1; unit >= 0; --unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, 0);
   }

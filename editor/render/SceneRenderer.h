@@ -53,11 +53,11 @@ class SceneRenderer {
   /// the old scene stays.
   Result<Done> setScene(const Model& model);
 
-  /// Draws one frame; the background alone when q has not the scene's size (a state of another model).
+  /// Draws one frame, for up to a second after setScene without darker hollows, which are found beside; the background alone when q has not the scene's size (a state of another model).
   void draw(const View& view, const VecX& q, const Layers& layers, std::span<const ContactView> contacts,
             const Look& look, const Target& target);
 
-  /// The same into a picture of its own.
+  /// The same into a picture of its own; waits until hollows are found.
   Result<Image> picture(const View& view, const VecX& q, const Layers& layers,
                         std::span<const ContactView> contacts, const Look& look, int width, int height);
 
@@ -69,6 +69,9 @@ class SceneRenderer {
   /// once each.
   std::vector<PickHit> pickRectangle(const View& view, const VecX& q, const Layers& layers,
                                      const Target& target, int x0, int y0, int x1, int y1);
+
+  /// Whether the next frame may look better although nothing changes: hollows are still being found.
+  bool settling() const;
 
   /// Box around the objects that are shown, W; empty without any.
   Box3 bounds(const VecX& q, const Layers& layers) const;

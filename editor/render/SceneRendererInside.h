@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "editor/render/FrameBuffers.h"
@@ -7,6 +8,7 @@
 #include "editor/render/GlResources.h"
 #include "editor/render/LabelPainter.h"
 #include "editor/render/LinePainter.h"
+#include "editor/render/OcclusionJob.h"
 #include "editor/render/SceneGeometry.h"
 #include "editor/render/SceneRenderer.h"
 #include "editor/render/StateEvaluator.h"
@@ -37,14 +39,20 @@ struct SceneRenderer::Inside {
   LabelPainter labelPainter;
   FrameBuffers frame;
   PickTarget pickTarget;
-  Program plainSurface, detailedSurface, mask, pick, occlusion;
+  Program plainSurface, detailedSurface, mask, pick;
   const Program* surface = &plainSurface;  ///< of the frame that is being drawn
-  Program compose[2][2];                   ///< [with occlusion][with outline]
+  bool occluded = true;                    ///< whether that frame darkens hollows
+  int shafts = 0;                          ///< tools that darken tissue near them in that frame
+  Program compose[2];                      ///< [with outline]
   GlVertexArray empty;                     ///< for passes that need no attribute
 
   SceneGeometry scene;
   VecX boxedQ;              ///< q for which boxes hold
   std::vector<Box3> boxes;  ///< by object, W, all its surfaces
+
+  OcclusionJob occlusionJob;
+  std::shared_ptr<const Occlusion> occlusion;  ///< of the scene, once it is there
+  std::vector<float> presence;                 ///< for which openness was last sent
 
   bool fits(const VecX& q) const { return q.size() == scene.qSize; }
   void updateBoxes(const VecX& q);
@@ -62,8 +70,9 @@ struct SceneRenderer::Inside {
   void drawStrokes(const Layers& layers, double scale, bool hidden);
   void drawScreenStrokes(const Layers& layers, const Look& look, const Target& target);
   void drawMask(const Eye& eye, const Layers& layers);
-  void drawOcclusion(const Eye& eye, double radius);
-  void drawComposed(const Layers& layers, const Look& look, const Target& target, double radius);
+  void updateOcclusion(const VecX& q, const Layers& layers);
+  void placeShafts(const VecX& q, const Eye& eye, const Layers& layers);
+  void drawComposed(const Layers& layers, const Look& look, const Target& target);
   void drawMarker(const View& view, const Look& look, const Target& target);
   std::vector<LabelPainter::Label> labelsFor(const View& view, const VecX& q, const Layers& layers, const Target& target);
   void triangles(Range indices);

@@ -98,6 +98,10 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
   glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, sizeof(TissueVertex), nullptr);
   glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, sizeof(TissueVertex),
                         reinterpret_cast<const void*>(offsetof(TissueVertex, across)));
+  setOpenness(std::vector<float>(geometry.vertices.size(), 1.0f));
+  glBindBuffer(GL_ARRAY_BUFFER, m_openness.id());
+  glEnableVertexAttribArray(4);
+  glVertexAttribPointer(4, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
   upload(m_indices, GL_ELEMENT_ARRAY_BUFFER, geometry.indices);
   glBindVertexArray(m_points.id());
   floats(0, m_positions, 3);
@@ -105,6 +109,11 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
   glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   return Done{};
+}
+
+void StateEvaluator::setOpenness(const std::vector<float>& open) {
+  upload(m_openness, GL_ARRAY_BUFFER, open);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 void StateEvaluator::evaluate(const VecX& q) {

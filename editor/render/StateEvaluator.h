@@ -17,6 +17,9 @@ class StateEvaluator {
   /// Fails with NoGraphics when an array exceeds the driver's buffer textures.
   Result<Done> setScene(const SceneGeometry& geometry);
 
+  /// Share of open sky by vertex of the scene (see Occlusion); 1 everywhere until the first call.
+  void setOpenness(const std::vector<float>& open);
+
   /// Sends q and evaluates; nothing is done when q is what it was.
   void evaluate(const VecX& q);
 
@@ -33,7 +36,7 @@ class StateEvaluator {
   std::vector<Eigen::Vector4f> read(GlBuffer& buffer, Range range);
 
   Program m_positionPass, m_normalPass;
-  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals;
+  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals, m_openness;
   GlFramebuffer
       m_frame;  ///< a draw needs a complete one, even when nothing is rasterised; a headless context has none
   GlRenderbuffer m_pixel;

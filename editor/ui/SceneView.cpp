@@ -78,10 +78,7 @@ Look SceneView::look() const {
   Look look;
   look.dark = currentTheme().dark;
   look.pixelRatio = devicePixelRatioF();
-  if (m_software) {
-    look.samples = 1;
-    look.ambientOcclusion = false;
-  }
+  if (m_software) look.samples = 1;
   return look;
 }
 
@@ -145,6 +142,7 @@ void SceneView::paintGL() {
     const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
     m_paintMs = m_frames < 3 ? 0 : 0.7 * m_paintMs + 0.3 * ms;  // the first frames compile shaders
   }
+  if (m_renderer->settling()) QTimer::singleShot(100, this, [this] { requestDraw(); });
   m_frameTimes[m_frames++ % m_frameTimes.size()] = m_clock.elapsed();
   emit drawn();
 }
@@ -179,7 +177,6 @@ QImage SceneView::picture(int width, int height) {
   makeCurrent();
   Look fine = look();
   fine.samples = -1;
-  fine.ambientOcclusion = true;
   const Snapshot& snapshot = m_link.snapshot();
   auto image = m_renderer->picture(m_view, shownState(), layers(), snapshot.report.contactViews, fine, width, height);
   doneCurrent();

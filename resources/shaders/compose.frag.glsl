@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From what was drawn to what is seen: averages the supersamples, darkens hollows, compresses bright light,
-// lays the scene over the background, draws outlines of what is selected and writes sRGB.
-// Built with WITH_OCCLUSION and WITH_OUTLINE or without: a processor that draws would run both sides of a
-// branch.
+// From what was drawn to what is seen: averages the supersamples, compresses bright light, lays the
+// scene over the background, draws outlines of what is selected and writes sRGB.
+// Built with WITH_OUTLINE or without: a processor that draws would run both sides of a branch.
 // Tone curve: Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002, equation
 // 4.
 uniform sampler2D scene;      // premultiplied, linear
-uniform sampler2D occlusion;  // share of open sky, distance
 uniform sampler2D mask;
 uniform int factor;           // scene texels per pixel
 uniform ivec2 size;           // pixels
-uniform float radius;         // of the occlusion, m
 uniform int outlinePx;
 uniform vec3 outlineColor;    // linear
 uniform vec3 top, bottom;     // background, square roots of linear colours: nearly even steps to the eye
@@ -24,36 +21,14 @@ vec3 compressed(vec3 c) {
   return light > 0.0 ? c * (mapped / light) : c;
 }
 
-#ifdef WITH_OCCLUSION
-// Mean over the 4x4 pattern, of the same surface only.
-float openness(ivec2 pixel) {
-  float here = texelFetch(occlusion, pixel, 0).g, sum = 0.0, weights = 0.0;
-  for (int y = -2; y < 2; ++y)
-    for (int x = -2; x < 2; ++x) {
-      ivec2 at = clamp(pixel + ivec2(x, y), ivec2(0), size - 1);
-      vec2 there = texelFetch(occlusion, at, 0).rg;
-      float weight = abs(there.g - here) < 0.5 * radius ? 1.0 : 0.02;
-      sum += weight * there.r;
-      weights += weight;
-    }
-  return sum / weights;
-}
-#endif
-
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec3 color = vec3(0.0);
   float alpha = 0.0;
-#ifdef WITH_OCCLUSION
-  float open = openness(pixel), root = sqrt(open);
-  vec3 shade = open * vec3(sqrt(root), root, root);  // hollows of tissue stay warm
-#else
-  vec3 shade = vec3(1.0);
-#endif
   for (int y = 0; y < factor; ++y)
     for (int x = 0; x < factor; ++x) {
       vec4 s = texelFetch(scene, pixel * factor + ivec2(x, y), 0);
-      if (s.a > 0.0) color += compressed(s.rgb / s.a * shade) * s.a;
+      if (s.a > 0.0) color += compressed(s.rgb / s.a) * s.a;
       alpha += s.a;
     }
   color /= float(factor * factor);

@@ -10,12 +10,17 @@ in vec3 p_V;
 in vec3 n_V;
 in vec2 share;    // tendon, cartilage
 in vec3 grainAt;  // m
+in float sky;     // share of it that other tissue leaves open
 uniform vec3 color;        // linear
 uniform float opacity;
 uniform bool faceted;      // one normal for each triangle
 uniform float roughness;
 uniform int grain;         // 0 none, 1 muscle, 2 bone, 3 collagen, 4 skin
 uniform float wet;         // 0...1, film of fluid
+uniform float occluded;    // 0...1, how much hollows darken
+uniform int shafts;        // tools near which tissue darkens
+uniform vec4 shaftFrom[4]; // camera axes, m; w: radius
+uniform vec3 shaftTo[4];
 uniform vec4 tint;         // linear colour and strength: selected, hovered
 uniform vec3 up_V;         // the world's vertical in camera axes
 out vec4 shaded;
@@ -78,6 +83,19 @@ vec3 litBy(vec3 light, vec3 radiance, float wrap, float rough, vec3 n, vec3 v, v
   return radiance * (diffuse + spread * visible * fresnel * lit);
 }
 
+// What tools leave open: each as the ball on its axis that is nearest, whose share of a hemisphere is
+// (radius / distance)^2 cos(angle to the normal).
+float besideTools(vec3 n) {
+  float open = 1.0;
+  for (int i = 0; i < shafts; ++i) {
+    vec3 along = shaftTo[i] - shaftFrom[i].xyz, from = p_V - shaftFrom[i].xyz;
+    vec3 d = clamp(dot(from, along) / max(dot(along, along), 1e-12), 0.0, 1.0) * along - from;
+    float l2 = max(dot(d, d), 1e-12), r = shaftFrom[i].w;
+    open *= 1.0 - clamp(0.35 + 0.65 * dot(n, d) * inversesqrt(l2), 0.0, 1.0) * min(r * r / l2, 1.0);
+  }
+  return open;
+}
+
 void main() {
   vec3 face = normalize(cross(dFdx(p_V), dFdy(p_V)));  // towards the viewer
   vec3 v = normalize(-p_V);
@@ -121,6 +139,10 @@ void main() {
     float nh = max(dot(n, h), 0.0), a = 0.045, d = nh * nh * (a - 1.0) + 1.0;
     result += film * 0.10 * vec3(1.14, 1.09, 1.01) * min(a / (3.14159265 * d * d), 6.0) * max(dot(n, key), 0.0);
   }
+
+  float open = 1.0 - occluded * 0.9 * (1.0 - (outside ? sky : 1.0) * besideTools(n));
+  float root = sqrt(open);
+  result *= open * vec3(sqrt(root), root, root);  // hollows of tissue stay warm
 
   float graze = 1.0 - nv;
   float contour = smoothstep(0.70, 1.0, graze);
