@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/render/Tissue.h"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 
+#include "editor/render/Fibres.h"
 #include "simcore/scene/Joint.h"
 
 namespace glenoid {
@@ -38,36 +37,42 @@ std::vector<double> shares(const TriMesh& mesh, const Part& part, const std::str
   return inside;
 }
 
+/// A muscle passes into its tendon over some way: share of tendon from the distance to the region's border, one half on
+/// it, 1 and 0 this far from it. The shader makes streaks of it.
+constexpr double kPassage = 0.011;  // m
+
+std::vector<double> feathered(const TriMesh& mesh, const std::vector<char>& someInside, const std::vector<char>& someOutside) {
+  std::vector<Vec3> border;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    if (someInside[v] && someOutside[v]) border.push_back(mesh.vertices[v]);
+  std::vector<double> share(mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    double nearest = kPassage * kPassage;
+    for (const Vec3& x : border) nearest = std::min(nearest, (x - mesh.vertices[v]).squaredNorm());
+    const double part = 0.5 * std::sqrt(nearest) / kPassage;
+    share[v] = someInside[v] && someOutside[v] ? 0.5 : someInside[v] ? 0.5 + part : 0.5 - part;
+  }
+  return share;
+}
+
+/// For each vertex whether one of its triangles lies in a region that `chosen` picks, and whether one does not.
+template <class Chosen>
+void touched(const TriMesh& mesh, const Part& part, Chosen&& chosen, std::vector<char>& someInside, std::vector<char>& someOutside) {
+  std::vector<char> member(mesh.triangles.size(), 0);
+  for (const Region& region : part.regions)
+    if (region.surface == SurfaceKind::Visual && chosen(region))
+      for (const int t : trianglesOf(region)) member[t] = 1;
+  someInside.assign(mesh.vertices.size(), 0);
+  someOutside.assign(mesh.vertices.size(), 0);
+  for (std::size_t t = 0; t < member.size(); ++t)
+    for (const int v : mesh.triangles[t]) (member[t] ? someInside : someOutside)[v] = 1;
+}
+
 /// Middle of what a set of weights holds, and their sum.
 struct Middle {
   Vec3 at = Vec3::Zero();
   double weight = 0;
 };
-
-/// A muscle's fibres as a fan: they converge to a point beyond the end, in the sheet in which the muscle is widest.
-/// A band's are parallel: `reach`, from that point to the middle of the muscle, is then far larger than the band.
-bool layFibres(const TriMesh& mesh, const Vec3& from, const Vec3& end, double beyond, Tissue& tissue) {
-  const Vec3 apex = end + beyond * (end - from);
-  const double reach = (from - apex).norm();
-  if (!(reach > 1e-6)) return false;
-  const Vec3 axis = (from - apex) / reach;
-  Mat3 spread = Mat3::Zero();
-  for (const Vec3& x : mesh.vertices) {
-    const Vec3 d = x - apex, aside = d - d.dot(axis) * axis;
-    spread += aside * aside.transpose();
-  }
-  const Vec3 wide = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(2);
-  const Vec3 thin = axis.cross(wide);
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Vec3 d = mesh.vertices[v] - apex;
-    TissueVertex& out = tissue.vertices[v];
-    // The angle in the fan, as an arc at the middle's distance: bundles keep their number and narrow to the end.
-    out.across = static_cast<float>(reach * std::atan2(d.dot(wide), std::max(d.dot(axis), 0.05 * reach)));
-    out.through = static_cast<float>(d.dot(thin));
-    out.along = static_cast<float>(d.dot(axis));
-  }
-  return true;
-}
 
 /// Middles of the regions of kind "footprint" on the visual surface, by their number of triangles, largest first.
 std::vector<Middle> footprints(const TriMesh& mesh, const Part& part) {
@@ -99,8 +104,15 @@ bool layMuscle(const TriMesh& mesh, const Part& part, Tissue& tissue) {
   if (!(belly.weight > 0)) return false;
   belly.at /= belly.weight;
   if (tendon.weight > 0.5) return layFibres(mesh, belly.at, tendon.at / tendon.weight, 0.7, tissue);
+  // The two ends are the footprints farthest apart; others lie along the sides.
   const std::vector<Middle> ends = footprints(mesh, part);
-  return ends.size() > 1 && layFibres(mesh, belly.at, ends[1].at, 0.7, tissue);
+  double farthest = -1;
+  Vec3 from = Vec3::Zero(), end = Vec3::Zero();
+  for (std::size_t a = 0; a < ends.size(); ++a)
+    for (std::size_t b = a + 1; b < ends.size(); ++b)
+      if (const double apart = (ends[a].at - ends[b].at).norm(); apart > farthest)
+        farthest = apart, from = ends[a].at, end = ends[b].at;
+  return farthest > 0 && layCurvedFibres(mesh, from, end, tissue);
 }
 
 bool layBand(const TriMesh& mesh, const Part& part, Tissue& tissue) {
@@ -124,8 +136,12 @@ Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance) {
     tissue.roughness = 0.28f;
     return tissue;
   }
-  const std::vector<double> tendon = shares(mesh, *part, "tendon"),
-                            cartilage = shares(mesh, *part, "cartilage");
+  std::vector<double> tendon = shares(mesh, *part, "tendon"), cartilage = shares(mesh, *part, "cartilage");
+  std::vector<char> inside, outside;
+  if (appearance == Appearance::Muscle) {
+    touched(mesh, *part, [](const Region& region) { return region.kind == "tendon"; }, inside, outside);
+    tendon = feathered(mesh, inside, outside);
+  }
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     tissue.vertices[v].tendon = static_cast<float>(tendon[v]);
     tissue.vertices[v].cartilage = static_cast<float>(cartilage[v]);
@@ -152,7 +168,11 @@ Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance) {
       break;
     case Appearance::Skin:
       tissue.grain = Grain::Skin;
-      tissue.roughness = 0.52f;
+      tissue.roughness = 0.58f;
+      if (part->materials.size() > 1) {  // the default material lies below, the other one is the skin itself
+        touched(mesh, *part, [&](const Region& region) { return region.id == part->materials[1].region; }, inside, outside);
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) tissue.vertices[v].fat = inside[v] ? 0.0f : 1.0f;
+      }
       break;
     case Appearance::Plain: break;
   }

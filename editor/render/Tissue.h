@@ -11,7 +11,10 @@ namespace glenoid {
 /// What a surface vertex looks like beyond its part's colour; constant, from the rest shape and the named
 /// regions.
 struct TissueVertex {
-  float tendon = 0, cartilage = 0;  ///< 0…1, soft at the borders of regions of these kinds
+  /// 0…1, soft at the borders of regions of these kinds; where a muscle passes into its tendon over 22 mm, one half on
+  /// the border.
+  float tendon = 0, cartilage = 0;
+  float fat = 0;  ///< depth below the skin, 0 on the skin, 1 at the fat's far side: a cut shows both
   /// Where the grain is sampled, m. Muscle and bands of collagen: across the fibres, through the sheet, along
   /// the fibres; else rest position.
   float across = 0, through = 0, along = 0;
@@ -28,8 +31,9 @@ struct Tissue {
 };
 
 /// Regions must lie inside the mesh. `part` may be null (a tool): no region counts. `appearance`: of the part's
-/// default material. Fibres of a muscle converge to its tendon, or without a region of kind "tendon" to the
-/// smaller of its two largest footprints; those of a band run between its two footprints.
+/// default material. Fibres of a muscle converge to its tendon, or without a region of kind "tendon" they
+/// run, along the muscle's bend, to the smaller of the two footprints farthest apart; those of a band run between its two
+/// footprints.
 Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance);
 
 }  // namespace glenoid

@@ -2,13 +2,15 @@
 // Tissue as in an atlas: three soft lights that stand with the camera, a sky and a ground, a moist
 // highlight and a thin bright rim; where the surface turns away it darkens, which draws its contour. The
 // inside of a surface is matt and dark, so that a mesh wound inside out shows at once.
-// With DETAIL muscle shows bundles of fibres, a ligament its strands, bone is mottled, skin finely wrinkled, and
-// the film of fluid breaks its highlight; all fade before they grow finer than a pixel.
+// With DETAIL muscle shows bundles of fibres that pass into their tendon in streaks, a ligament its strands, bone is
+// mottled, skin finely lined and flushed, a cut through fat lobed; the same grain is a relief that breaks the
+// highlights. All fade before they grow finer than a pixel.
 // Highlight: Trowbridge-Reitz distribution, Schlick's Fresnel term and the visibility term after
 // Lagarde and de Rousiers, "Moving Frostbite to Physically Based Rendering", SIGGRAPH 2014 course notes.
+// Relief from screen derivatives: Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010.
 in vec3 p_V;
 in vec3 n_V;
-in vec2 share;    // tendon, cartilage
+in vec3 share;    // tendon, cartilage, depth into the fat
 in vec3 grainAt;  // m
 in float sky;     // share of it that other tissue leaves open
 uniform vec3 color;        // linear
@@ -48,22 +50,30 @@ float noise(vec3 p, float pixel) {
   return mix(sum, 0.5, smoothstep(0.35, 1.0, pixel));
 }
 
-float grainOf(vec3 at) {
-  vec3 coarse = vec3(0.011), fine = vec3(0.0032);
-  if (grain == 1) {
-    coarse = vec3(0.0026, 0.0040, 0.045);
-    fine = vec3(0.0009, 0.0018, 0.018);
-  } else if (grain == 3) {
-    coarse = vec3(0.0016, 0.0020, 0.030);
-    fine = vec3(0.0005, 0.0010, 0.012);
-  } else if (grain == 4) {
-    coarse = vec3(0.006);
-    fine = vec3(0.0014);
-  }
+float grainOf(vec3 at, vec3 coarse, vec3 fine) {
   vec3 step = max(abs(dFdx(at)), abs(dFdy(at)));
   vec3 a = step / coarse, b = step / fine;
   float rough = noise(at / coarse, max(a.x, max(a.y, a.z)));
   return 0.62 * rough + 0.38 * noise(at / fine + 17.0, max(b.x, max(b.y, b.z)));
+}
+
+// Turned as a relief of this height (m) turns it.
+vec3 embossed(vec3 n, float height) {
+  vec3 dx = dFdx(p_V), dy = dFdy(p_V), a = cross(dy, n), b = cross(n, dx);
+  float area = dot(dx, a);
+  vec3 slope = sign(area) * (dFdx(height) * a + dFdy(height) * b);
+  float most = 0.7 * abs(area);  // a step between two pixels is no cliff
+  float length2 = dot(slope, slope);
+  if (length2 > most * most) slope *= most * inversesqrt(length2);
+  return normalize(abs(area) * n - slope);
+}
+
+// Where a muscle's flesh ends in tendon, by the share that falls from 1 to 0 over some way: its bundles reach
+// into the tendon by different lengths, and so do its finer fibres.
+float streaked(float tendon) {
+  if (tendon <= 0.0 || tendon >= 1.0) return tendon;
+  float streaks = grainOf(grainAt + 3.1, vec3(0.0060, 0.0120, 0.090), vec3(0.0017, 0.0030, 0.040));
+  return smoothstep(0.27, 0.73, tendon + 1.4 * (streaks - 0.5) * min(4.0 * tendon * (1.0 - tendon), 1.0));
 }
 #endif
 
@@ -107,22 +117,54 @@ void main() {
   if (nv < 0.02) n = normalize(n + (0.02 - nv) * v);
   nv = clamp(dot(n, v), 0.0, 1.0);
 
-  // Tendon: warm white, silky. Cartilage: bluish white, smooth.
-  vec3 tissueColor = mix(color, vec3(0.82, 0.74, 0.60), 0.85 * smoothstep(0.15, 0.85, share.x));
+  // Tendon: pearly, silky. Cartilage: bluish white, smooth. Fat: yellow, moist.
+  float tendon = smoothstep(0.15, 0.85, share.x), fat = 0.0;
+#ifdef DETAIL
+  if (grain == 1) tendon = streaked(share.x);
+#endif
+  vec3 tissueColor = mix(color, vec3(0.86, 0.80, 0.67), 0.92 * tendon);
   tissueColor = mix(tissueColor, vec3(0.66, 0.75, 0.80), 0.75 * smoothstep(0.15, 0.85, share.y));
-  float rough = mix(mix(roughness, 0.36, share.x), 0.30, share.y);
+  float rough = mix(mix(roughness, 0.36, tendon), 0.30, share.y);
   float film = wet * mix(1.0, 1.5, share.y);
 #ifdef DETAIL
   if (grain != 0) {
-    float g = grainOf(grainAt) - 0.5;
-    float depth = mix(0.16, 0.03, share.y);
-    if (grain == 1) depth = mix(0.75, 0.32, share.x);
-    if (grain == 3) depth = 0.34;
-    if (grain == 4) depth = 0.20;
-    // Skin flushes where it is thin; elsewhere a darker strand is a little warmer.
-    tissueColor *= 1.0 + depth * g * (grain == 4 ? vec3(0.35, 1.0, 1.0) : vec3(0.9, 1.05, 1.1));
+    vec3 coarse = vec3(0.011), fine = vec3(0.0032);
+    float depth = mix(0.16, 0.03, share.y), relief = 1.2e-4 * (1.0 - share.y);
+    if (grain == 1) {
+      coarse = mix(vec3(0.0026, 0.0040, 0.045), vec3(0.0014, 0.0030, 0.060), step(0.5, tendon));
+      fine = mix(vec3(0.0009, 0.0018, 0.018), vec3(0.0005, 0.0010, 0.020), step(0.5, tendon));
+      depth = mix(0.75, 0.30, tendon);
+      relief = mix(4.0e-4, 1.2e-4, tendon);
+    } else if (grain == 3) {
+      coarse = vec3(0.0016, 0.0020, 0.030);
+      fine = vec3(0.0005, 0.0010, 0.012);
+      depth = 0.34;
+      relief = 0.9e-4;
+    } else if (grain == 4) {
+      // The skin is a fifth of what lies over the flesh; its border in a cut is not quite even.
+      coarse = vec3(0.006);
+      fine = vec3(0.0011);
+      depth = 0.16;
+      relief = 1.0e-4;
+    }
+    float g = grainOf(grainAt, coarse, fine) - 0.5;
+    vec3 hue = vec3(0.9, 1.05, 1.1);  // a darker strand is a little warmer
+    if (grain == 4) {
+      fat = smoothstep(0.17, 0.21, share.z + 0.08 * g);
+      float flush = grainOf(grainAt, vec3(0.030), vec3(0.013)) - 0.5;
+      hue = vec3(0.35, 1.0, 1.0);  // skin flushes where it is thin
+      tissueColor *= 1.0 + flush * vec3(0.10, 0.34, 0.42);
+      tissueColor = mix(tissueColor, vec3(0.80, 0.52, 0.17) * (1.0 + 0.7 * g), fat);
+      tissueColor = mix(tissueColor, vec3(0.82, 0.56, 0.48), (1.0 - fat) * smoothstep(0.02, 0.05, share.z));
+      rough = mix(rough, 0.40, fat);
+      film = mix(film, 0.5, fat);
+      relief *= 1.0 + 4.0 * fat;
+    }
+    tissueColor *= 1.0 + depth * g * hue;
     rough = clamp(rough - 0.25 * depth * g, 0.2, 0.9);
     film *= clamp(1.0 + 1.6 * g, 0.2, 1.8);
+    if (!faceted) n = embossed(n, (outside ? relief : 0.0) * g);
+    nv = clamp(dot(n, v), 0.0, 1.0);
   }
 #endif
   vec3 albedo = outside ? tissueColor : mix(color, vec3(dot(color, vec3(0.21, 0.72, 0.07))), 0.6) * 0.30;

@@ -2,7 +2,7 @@
 // Places a surface whose positions and normals the evaluation passes have left in buffers.
 layout(location = 0) in vec3 position_W;
 layout(location = 1) in vec3 normal_W;
-layout(location = 2) in vec2 tissue;  // shares of tendon and cartilage
+layout(location = 2) in vec3 tissue;  // shares of tendon and cartilage; depth into the fat
 layout(location = 3) in vec3 grain;   // across, through and along the fibres, or rest position; m
 layout(location = 4) in float open;   // share of open sky, cast once
 uniform mat4 worldToView;
@@ -10,7 +10,7 @@ uniform mat4 viewToClip;
 out vec3 p_W;
 out vec3 p_V;
 out vec3 n_V;
-out vec2 share;
+out vec3 share;
 out vec3 grainAt;
 out float sky;
 

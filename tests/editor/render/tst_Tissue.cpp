@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/editor/render/TestScene.h"
@@ -33,7 +34,7 @@ TEST(Tissue, tendonIsWhereItsRegionIs) {
   ASSERT_EQ(tissue.vertices.size(), muscle.mesh.vertices.size());
   for (std::size_t v = 0; v < tissue.vertices.size(); ++v) {
     const double x = muscle.mesh.vertices[v].x();
-    // Rows of triangles are up to 7 mm apart; the border is spread over two of them.
+    // Rows of triangles are up to 7 mm apart; the border is spread over 11 mm to either side.
     EXPECT_TRUE(x < 0.046 || tissue.vertices[v].tendon > 0.8) << x;
     EXPECT_TRUE(x > 0.01 || tissue.vertices[v].tendon == 0) << x;
     EXPECT_EQ(tissue.vertices[v].cartilage, 0);
@@ -76,6 +77,62 @@ TEST(Tissue, withoutATendonFibresRunToTheSmallerFootprint) {
         EXPECT_LT(tissue.vertices[v].along, tissue.vertices[w].along) << "the fan's point lies beyond the insertion";
         break;
       }
+}
+
+TEST(Tissue, theBorderOfATendonIsHalfAndFeathersAway) {
+  const Muscle muscle;
+  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle);
+  double least = 1, most = 0;
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v)
+    if (std::abs(muscle.mesh.vertices[v].x() - 0.03) < 0.004) {
+      least = std::min<double>(least, tissue.vertices[v].tendon);
+      most = std::max<double>(most, tissue.vertices[v].tendon);
+    }
+  EXPECT_GT(least, 0.2);
+  EXPECT_LT(most, 0.8);
+}
+
+TEST(Tissue, fibresFollowAMuscleThatBends) {
+  constexpr double kRadius = 0.06;  // round a joint by 57 degrees to either side
+  Muscle muscle;
+  const TriMesh straight = muscle.mesh;
+  for (Vec3& x : muscle.mesh.vertices) {
+    const double angle = x.x() / 0.05, out = kRadius + x.z();
+    x = Vec3(out * std::sin(angle), x.y(), out * std::cos(angle));
+  }
+  Region insertion = muscle.part.regions[0], origin{"origin", "Origin", "footprint", SurfaceKind::Visual, {}};
+  for (int t = 0; t < static_cast<int>(straight.triangles.size()); ++t)
+    if (straight.vertices[straight.triangles[t][0]].x() < -0.025) origin.triangles.push_back({t, 1});
+  insertion.kind = "footprint";
+  muscle.part.regions = {insertion, origin};
+  const Tissue tissue = tissueOf(muscle.mesh, &muscle.part, Appearance::Muscle);
+  ASSERT_EQ(tissue.grain, Grain::Muscle);
+  double lift = 0;  // of the chord's plane the middle stands 28 mm off
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v) lift = std::max<double>(lift, std::abs(tissue.vertices[v].through));
+  EXPECT_LT(lift, 0.016) << "half the muscle is 8 mm thick";
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v)
+    for (std::size_t w = 0; w < v; ++w)
+      if (straight.vertices[v].x() > straight.vertices[w].x() + 0.008) {
+        EXPECT_LT(tissue.vertices[v].along, tissue.vertices[w].along);
+        break;
+      }
+}
+
+TEST(Tissue, aCutThroughSkinShowsHowDeepItIs) {
+  Muscle layer;
+  Region skin = layer.part.regions[0];
+  skin.id = "skin", skin.kind = "other";
+  layer.part.regions = {skin};
+  layer.part.materials = {{"fat", ""}, {"skin", "skin"}};
+  const Tissue tissue = tissueOf(layer.mesh, &layer.part, Appearance::Skin);
+  EXPECT_EQ(tissue.grain, Grain::Skin);
+  for (std::size_t v = 0; v < tissue.vertices.size(); ++v) {
+    const double x = layer.mesh.vertices[v].x();
+    EXPECT_TRUE(x < 0.036 || tissue.vertices[v].fat == 0) << x;
+    EXPECT_TRUE(x > 0.024 || tissue.vertices[v].fat == 1) << x;
+  }
+  layer.part.materials.resize(1);
+  EXPECT_EQ(tissueOf(layer.mesh, &layer.part, Appearance::Skin).vertices[0].fat, 0) << "one material: skin throughout";
 }
 
 TEST(Tissue, strandsOfABandAreParallel) {
