@@ -104,8 +104,10 @@ class Builder {
   static ToolShaft shaftOf(const SurfaceBinding& visual) {
     const TriMesh& mesh = *visual.mesh;
     const Vec3 centre = mesh.vertices[0] - visual.vertices[0].r_B;
-    double length = 0, radius = 0;
-    for (const Vec3& x : mesh.vertices) length = std::max(length, x.z()), radius = std::max(radius, std::abs(x.y()));
+    double length = 0;
+    Vec3 across = Vec3::Zero();
+    for (const Vec3& x : mesh.vertices) length = std::max(length, x.z()), across = across.cwiseMax(x.cwiseAbs());
+    const double radius = std::min(across.x(), across.y());  // a hook or a bend leads to one side only
     const Vec3 from = Vec3(0, 0, std::min(radius, length)) - centre, to = Vec3(0, 0, length) - centre;
     return {from.cast<float>(), to.cast<float>(), static_cast<float>(radius)};
   }
@@ -131,8 +133,10 @@ class Builder {
 
   void addTissue(const SceneObject& object, ObjectGeometry& geometry) {
     const Part* part = partOf(object);
-    const Tissue tissue =
+    Tissue tissue =
         tissueOf(*object.visual.mesh, part, part ? appearanceOf(m_model.joint, *part) : Appearance::Plain);
+    if (object.tool && object.toolIndex >= 0 && object.toolIndex < static_cast<int>(m_model.scenario.tools.size()))
+      addFinger(m_model.scenario.tools[object.toolIndex], *object.visual.mesh, tissue);
     geometry.grain = tissue.grain;
     geometry.roughness = tissue.roughness;
     geometry.wet = tissue.wet;

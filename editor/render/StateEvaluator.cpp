@@ -95,7 +95,7 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
   floats(1, m_normals, 3);
   glBindBuffer(GL_ARRAY_BUFFER, m_tissue.id());
   for (const int attribute : {2, 3}) glEnableVertexAttribArray(attribute);
-  glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, sizeof(TissueVertex), nullptr);
+  glVertexAttribPointer(2, 4, GL_FLOAT, GL_FALSE, sizeof(TissueVertex), nullptr);
   glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, sizeof(TissueVertex),
                         reinterpret_cast<const void*>(offsetof(TissueVertex, across)));
   setOpenness(std::vector<float>(geometry.vertices.size(), 1.0f));

@@ -6,6 +6,7 @@
 
 #include "editor/render/Fibres.h"
 #include "simcore/scene/Joint.h"
+#include "simcore/tool/FingerShape.h"
 
 namespace glenoid {
 namespace {
@@ -177,6 +178,14 @@ Tissue tissueOf(const TriMesh& mesh, const Part* part, Appearance appearance) {
     case Appearance::Plain: break;
   }
   return tissue;
+}
+
+void addFinger(const Tool& tool, const TriMesh& look, Tissue& tissue) {
+  if (tool.kind != ToolKind::Finger) return;
+  tissue.grain = Grain::Finger;
+  tissue.roughness = 0.58f;
+  for (std::size_t v = 0; v < look.vertices.size(); ++v)
+    tissue.vertices[v].nail = static_cast<float>(std::clamp(0.5 + insideNail(tool, look.vertices[v]) / 2e-3, 0.0, 1.0));
 }
 
 }  // namespace glenoid

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "resources/generate/Bones.h"
 #include "resources/generate/Parts.h"
 
-/// The three ligaments as bands. Sizes: coracoacromial 35 long, 22 wide at the acromion, 13 at the
+/// The three ligaments as bands with rounded ends. Sizes: coracoacromial 35 long, 22 wide at the acromion, 13 at the
 /// coracoid, 1.3 thick (doi 10.1155/2019/3024769: 29.8 ± 9.5, 12.6 ± 4, 1.3 and 0.9); coracohumeral 42 × 15 ×
 /// 3; transverse humeral 20 × 16 × 1.5 (doi 10.5603/FM.a2019.0075).
 namespace glenoid::generate {
@@ -13,6 +15,16 @@ namespace {
 
 Field raised(Field field, double by) {
   return [=](const Vec3& p) { return field(p) - by; };
+}
+
+/// Places of so many rings that lie closer towards both ends, where the outline turns.
+std::vector<double> closerAtEnds(int rings) {
+  std::vector<double> places;
+  for (int j = 0; j < rings; ++j) {
+    const double even = (j + 0.4) / (rings - 0.2), round = 0.5 - 0.5 * std::cos(std::numbers::pi * even);
+    places.push_back(0.25 * even + 0.75 * round);
+  }
+  return places;
 }
 
 }  // namespace
@@ -58,7 +70,10 @@ Surfaces coracohumeralLigament(const Bones& bones, const TriMesh& biceps) {
   // Bridges the groove instead of dipping into it.
   tube.bone = smoothUnion({humerus::filledField(), raised(fieldOf(biceps), 1.4)}, 8);
   Surfaces s;
+  tube.endLength = 0.24;
+  tube.places = closerAtEnds(13);
   s.visual = sweep(tube, 20, 13);
+  tube.places.clear();
   tube.bone = unionOf(bones.humerusCoarse, cord);
   tube.endLength = 0.03;
   for (Station& st : tube.stations) {
@@ -74,24 +89,27 @@ Surfaces transverseHumeralLigament(const Bones& bones, const TriMesh& biceps) {
   // From the lesser to the greater tubercle, arching over the tendon in the groove; its ends thin out on
   // bone.
   Tube tube;
-  tube.roundness = 0.6;
-  tube.endLength = 0.12;
+  tube.roundness = 0.85;
+  tube.endLength = 0.38;
   const std::vector<Vec3> path{
       {26.6, 1.5, 7.0}, {25.3, 1.8, 10.6}, {22.4, 2.0, 16.2}, {19.2, 2.2, 20.8}, {15.6, 2.4, 24.0}};
   const double thickness[] = {1.0, 1.6, 1.7, 1.6, 1.0};
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const bool atEnd = i != 2;
+    const bool atEnd = i != 2, last = i == 0 || i + 1 == path.size();
     const Vec3 up = path[i] - humerus::canalAt(path[i].y());
-    tube.stations.push_back({path[i], up, 8.2, thickness[i], atEnd ? 0.0 : 0.3, atEnd ? 5.0 : 2.0, 0});
+    tube.stations.push_back({path[i], up, 8.2, thickness[i], last ? -0.4 : atEnd ? 0.0 : 0.3, atEnd ? 9.0 : 4.0, 0});
   }
   const Field cord = raised(fieldOf(biceps), 0.7);
   tube.bone = smoothUnion({humerus::filledField(), cord}, 3);
   Surfaces s;
-  s.visual = sweep(tube, 12, 11);
+  tube.places = closerAtEnds(13);
+  s.visual = sweep(tube, 10, 13);
+  tube.places.clear();
   tube.bone = unionOf(bones.humerusCoarse, raised(fieldOf(biceps), 1.45));
   for (Station& station : tube.stations) {
     station.thickness = 1.8;
-    if (station.reach < 5) station.reach = 0;
+    station.clearance = std::max(station.clearance, 0.0);
+    station.reach = station.reach < 5 ? 0 : 5;
   }
   tube.phase = 0.5;
   tube.flatEnds = true;

@@ -217,10 +217,10 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
   if (id == "transverse-humeral-ligament")
     return {common(regionWhere(visual, "lesser-end", "Tuberculum minus (end on the lesser tubercle)",
                                "footprint", nearHumerus),
-                   regionAlong(visual, 12, 11, "", "", "", 0, 0.35)),
+                   regionAlong(visual, 10, 13, "", "", "", 0, 0.35)),
             common(regionWhere(visual, "greater-end", "Tuberculum majus (end on the greater tubercle)",
                                "footprint", nearHumerus),
-                   regionAlong(visual, 12, 11, "", "", "", 0.65, 1))};
+                   regionAlong(visual, 10, 13, "", "", "", 0.65, 1))};
   if (id == "labrum")
     return {regionWhere(visual, "base", "Labrum glenoidale, basis (base on the glenoid rim)", "footprint",
                         nearScapula),

@@ -20,7 +20,7 @@ struct Row {
 };
 
 constexpr std::array<float, 3> kBone{0.91f, 0.87f, 0.76f}, kMuscle{0.68f, 0.25f, 0.22f},
-    kLigament{0.83f, 0.87f, 0.90f};
+    kLigament{0.88f, 0.88f, 0.85f};
 
 const Row kRows[] = {
     {"scapula", "Scapula", PartKind::Rigid, 0, kBone},
@@ -29,8 +29,8 @@ const Row kRows[] = {
     {"infraspinatus", "Infraspinatus", PartKind::Soft, 129, kMuscle},
     {"subscapularis", "Subscapularis", PartKind::Soft, 158, {0.64f, 0.22f, 0.21f}},
     {"coracoacromial-ligament", "Coracoacromial ligament", PartKind::Soft, 65, kLigament},
-    {"coracohumeral-ligament", "Coracohumeral ligament", PartKind::Soft, 86, {0.78f, 0.85f, 0.90f}},
-    {"transverse-humeral-ligament", "Transverse humeral ligament", PartKind::Rigid, 0, {0.80f, 0.86f, 0.88f}},
+    {"coracohumeral-ligament", "Coracohumeral ligament", PartKind::Soft, 86, {0.84f, 0.85f, 0.83f}},
+    {"transverse-humeral-ligament", "Transverse humeral ligament", PartKind::Rigid, 0, {0.87f, 0.87f, 0.83f}},
     {"labrum", "Labrum", PartKind::Soft, 96, {0.90f, 0.90f, 0.95f}},
     {"labrum-tendon", "Labrum tendon", PartKind::Soft, 122, {0.93f, 0.90f, 0.80f}},
     {"biceps-tendon", "Biceps tendon", PartKind::Rigid, 0, {0.95f, 0.93f, 0.85f}},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kThickness = 10;   ///< mm, fat and skin
 constexpr double kGap = 1.5;        ///< mm above what lies below
-constexpr double kSide = 78;        ///< degrees to the front and to the back
+constexpr double kSide = 78;        ///< degrees to the front and to the back, where it reaches farthest
 constexpr int kCoarser = 4;          ///< fine cells along a coarse one
 static_assert(kSkinAcross % kCoarser == 0 && kSkinAlong % kCoarser == 0);
 
@@ -20,7 +20,7 @@ struct Cut {
   Vec3 centre, out;
 };
 
-Cut cutAt(double v) {
+Cut stopsAt(double v) {
   struct Stop {
     double v, y, z, angle;
   };
@@ -35,8 +35,31 @@ Cut cutAt(double v) {
   return {{x, mix(stops[i].y, stops[i + 1].y, t), mix(stops[i].z, stops[i + 1].z, t)}, {0, std::cos(angle), std::sin(angle)}};
 }
 
-Vec3 ray(const Cut& cut, double u) {
-  const double a = kSide * std::numbers::pi / 180 * (1 - 2 * u);  // front first
+/// Evened out over a stretch of the way, so that the borders in front and behind turn without a kink.
+Cut cutAt(double v) {
+  constexpr int kSamples = 8;  // to either side
+  constexpr double kStretch = 0.12;
+  Cut sum{Vec3::Zero(), Vec3::Zero()};
+  double weights = 0;
+  for (int k = -kSamples; k <= kSamples; ++k) {
+    const double t = double(k) / (kSamples + 1), weight = (1 - t * t) * (1 - t * t);
+    const double reach = std::min({kStretch, v, 1 - v});  // both ends stay where they are
+    const Cut cut = stopsAt(std::clamp(v + reach * t, 0.0, 1.0));
+    sum.centre += weight * cut.centre;
+    sum.out += weight * cut.out;
+    weights += weight;
+  }
+  return {sum.centre / weights, sum.out.normalized()};
+}
+
+/// Half the angle that the layer covers: less towards the neck and the arm's end, which rounds its four corners.
+double sideAt(double v) {
+  const double neck = std::max(0.0, 1 - v / 0.28), arm = std::max(0.0, 1 - (1 - v) / 0.2);
+  return kSide * (1 - 0.34 * neck * neck * neck - 0.12 * arm * arm * arm) * std::numbers::pi / 180;
+}
+
+Vec3 ray(const Cut& cut, double u, double v) {
+  const double a = sideAt(v) * (1 - 2 * u);  // front first
   return std::cos(a) * cut.out + std::sin(a) * Vec3::UnitX();
 }
 
@@ -47,7 +70,7 @@ std::vector<double> heights(const Field& ground, int across, int along) {
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i <= across; ++i) {
       const Cut cut = cutAt(double(j) / along);
-      const Vec3 d = ray(cut, double(i) / across);
+      const Vec3 d = ray(cut, double(i) / across, double(j) / along);
       double r = 130;
       while (r > 20) {
         const double away = ground(cut.centre + r * d);
@@ -97,7 +120,7 @@ TriMesh shell(const std::vector<double>& height, int across, int along) {
     for (int j = 0; j <= along; ++j)
       for (int i = 0; i <= across; ++i) {
         const Cut cut = cutAt(double(j) / along);
-        mesh.vertices.push_back(cut.centre + (height[j * (across + 1) + i] + lift) * ray(cut, double(i) / across));
+        mesh.vertices.push_back(cut.centre + (height[j * (across + 1) + i] + lift) * ray(cut, double(i) / across, double(j) / along));
       }
   const int sheet = (across + 1) * (along + 1);
   const auto at = [&](int i, int j) { return j * (across + 1) + i; };

@@ -10,19 +10,17 @@
 // Relief from screen derivatives: Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010.
 in vec3 p_V;
 in vec3 n_V;
-in vec3 share;    // tendon, cartilage, depth into the fat
+in vec4 share;    // tendon, cartilage, depth into the fat, nail
 in vec3 grainAt;  // m
-in float sky;     // share of it that other tissue leaves open
+in float sky;     // share of it that other tissue and tools leave open
+in float flush;   // of skin, -0.5...0.5
 uniform vec3 color;        // linear
 uniform float opacity;
 uniform bool faceted;      // one normal for each triangle
 uniform float roughness;
-uniform int grain;         // 0 none, 1 muscle, 2 bone, 3 collagen, 4 skin
+uniform int grain;         // 0 none, 1 muscle, 2 bone, 3 collagen, 4 skin, 5 a finger
 uniform float wet;         // 0...1, film of fluid
 uniform float occluded;    // 0...1, how much hollows darken
-uniform int shafts;        // tools near which tissue darkens
-uniform vec4 shaftFrom[4]; // camera axes, m; w: radius
-uniform vec3 shaftTo[4];
 uniform vec4 tint;         // linear colour and strength: selected, hovered
 uniform vec3 up_V;         // the world's vertical in camera axes
 out vec4 shaded;
@@ -93,19 +91,6 @@ vec3 litBy(vec3 light, vec3 radiance, float wrap, float rough, vec3 n, vec3 v, v
   return radiance * (diffuse + spread * visible * fresnel * lit);
 }
 
-// What tools leave open: each as the ball on its axis that is nearest, whose share of a hemisphere is
-// (radius / distance)^2 cos(angle to the normal).
-float besideTools(vec3 n) {
-  float open = 1.0;
-  for (int i = 0; i < shafts; ++i) {
-    vec3 along = shaftTo[i] - shaftFrom[i].xyz, from = p_V - shaftFrom[i].xyz;
-    vec3 d = clamp(dot(from, along) / max(dot(along, along), 1e-12), 0.0, 1.0) * along - from;
-    float l2 = max(dot(d, d), 1e-12), r = shaftFrom[i].w;
-    open *= 1.0 - clamp(0.35 + 0.65 * dot(n, d) * inversesqrt(l2), 0.0, 1.0) * min(r * r / l2, 1.0);
-  }
-  return open;
-}
-
 void main() {
   vec3 face = normalize(cross(dFdx(p_V), dFdy(p_V)));  // towards the viewer
   vec3 v = normalize(-p_V);
@@ -140,7 +125,7 @@ void main() {
       fine = vec3(0.0005, 0.0010, 0.012);
       depth = 0.34;
       relief = 0.9e-4;
-    } else if (grain == 4) {
+    } else if (grain >= 4) {
       // The skin is a fifth of what lies over the flesh; its border in a cut is not quite even.
       coarse = vec3(0.006);
       fine = vec3(0.0011);
@@ -149,13 +134,21 @@ void main() {
     }
     float g = grainOf(grainAt, coarse, fine) - 0.5;
     vec3 hue = vec3(0.9, 1.05, 1.1);  // a darker strand is a little warmer
+    if (grain == 5) {
+      hue = vec3(0.35, 1.0, 1.0);
+      float nail = smoothstep(0.42, 0.58, share.w), rim = nail * (1.0 - smoothstep(0.58, 0.80, share.w));
+      tissueColor = mix(tissueColor, vec3(0.80, 0.50, 0.43) + 0.12 * rim, nail);
+      rough = mix(rough, 0.24, nail);
+      film = 0.5 * nail;
+      depth *= 1.0 - nail;
+      relief *= 1.0 - nail;
+    }
     if (grain == 4) {
       fat = smoothstep(0.17, 0.21, share.z + 0.08 * g);
-      float flush = grainOf(grainAt, vec3(0.030), vec3(0.013)) - 0.5;
       hue = vec3(0.35, 1.0, 1.0);  // skin flushes where it is thin
-      tissueColor *= 1.0 + flush * vec3(0.10, 0.34, 0.42);
-      tissueColor = mix(tissueColor, vec3(0.80, 0.52, 0.17) * (1.0 + 0.7 * g), fat);
-      tissueColor = mix(tissueColor, vec3(0.82, 0.56, 0.48), (1.0 - fat) * smoothstep(0.02, 0.05, share.z));
+      tissueColor *= 1.0 + flush * vec3(0.03, 0.13, 0.17);
+      tissueColor = mix(tissueColor, vec3(0.92, 0.66, 0.25) * (1.0 + 0.6 * g), fat);
+      tissueColor = mix(tissueColor, vec3(0.86, 0.64, 0.54), (1.0 - fat) * smoothstep(0.02, 0.05, share.z));
       rough = mix(rough, 0.40, fat);
       film = mix(film, 0.5, fat);
       relief *= 1.0 + 4.0 * fat;
@@ -182,7 +175,7 @@ void main() {
     result += film * 0.10 * vec3(1.14, 1.09, 1.01) * min(a / (3.14159265 * d * d), 6.0) * max(dot(n, key), 0.0);
   }
 
-  float open = 1.0 - occluded * 0.9 * (1.0 - (outside ? sky : 1.0) * besideTools(n));
+  float open = 1.0 - occluded * 0.9 * (1.0 - (outside ? sky : 1.0));
   float root = sqrt(open);
   result *= open * vec3(sqrt(root), root, root);  // hollows of tissue stay warm
 

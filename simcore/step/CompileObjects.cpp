@@ -8,6 +8,7 @@
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/scene/Start.h"
+#include "simcore/tool/FingerShape.h"
 #include "simcore/tool/ToolShape.h"
 
 namespace glenoid {
@@ -116,10 +117,12 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
     object.name = tool.name;
     object.tool = true;
     object.toolIndex = static_cast<int>(index);
-    object.color = {0.72f, 0.74f, 0.78f};
-    const auto visual = std::make_shared<TriMesh>(makeToolSurface(tool, kToolVisualSegments));
+    const bool finger = tool.kind == ToolKind::Finger;
+    object.color = finger ? std::array{0.87f, 0.69f, 0.59f} : std::array{0.72f, 0.74f, 0.78f};
+    const TriMesh solid = makeToolSurface(tool, kToolVisualSegments);
+    const auto visual = std::make_shared<TriMesh>(finger ? makeFingerLook(tool) : solid);
     const auto collision = std::make_shared<TriMesh>(makeToolSurface(tool, kToolCollisionSegments));
-    Result<MassProperties> properties = massPropertiesOf(*visual, tool.mass / enclosedVolume(*visual));
+    Result<MassProperties> properties = massPropertiesOf(solid, tool.mass / enclosedVolume(solid));
     if (!properties) return about(properties.error(), tool.id);
     object.mass = properties->mass;
     place(object.layout, 0, q, v);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "simcore/linear/BlockCholesky.h"
+#include "simcore/tool/FingerShape.h"
 #include "simcore/tool/PoseSpring.h"
 #include "simcore/tool/ToolShape.h"
 
@@ -19,18 +20,20 @@ Tool toolOf(ToolKind kind) {
 
 class ToolShape : public testing::TestWithParam<ToolKind> {};
 
-TEST_P(ToolShape, isClosedAndOutward) {
-  for (const int segments : {kToolCollisionSegments, kToolVisualSegments}) {
-    const TriMesh mesh = makeToolSurface(toolOf(GetParam()), segments);
-    std::map<std::pair<int, int>, int> edges;
-    for (const auto& t : mesh.triangles)
-      for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-    for (const auto& [edge, count] : edges) {
-      EXPECT_EQ(count, 1);
-      EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
-    }
-    EXPECT_GT(enclosedVolume(mesh), 0);
+void expectClosedAndOutward(const TriMesh& mesh) {
+  std::map<std::pair<int, int>, int> edges;
+  for (const auto& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
   }
+  EXPECT_GT(enclosedVolume(mesh), 0);
+}
+
+TEST_P(ToolShape, isClosedAndOutward) {
+  for (const int segments : {kToolCollisionSegments, kToolVisualSegments})
+    expectClosedAndOutward(makeToolSurface(toolOf(GetParam()), segments));
 }
 
 TEST_P(ToolShape, tipIsTheOriginAndTheShaftGoesUp) {
@@ -42,6 +45,37 @@ TEST_P(ToolShape, tipIsTheOriginAndTheShaftGoesUp) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ToolShape, testing::Values(ToolKind::Probe, ToolKind::Arthroscope, ToolKind::Finger,
                                                            ToolKind::Ball, ToolKind::Bar));
+
+TEST(ToolShapes, aFingerLooksLikeOneAndStaysOnItsCapsule) {
+  for (const double length : {0.08, 0.03}) {
+    Tool tool = toolOf(ToolKind::Finger);
+    tool.length = length;
+    const TriMesh look = makeFingerLook(tool), capsule = makeToolSurface(tool, 96);
+    expectClosedAndOutward(look);
+    EXPECT_GT(enclosedVolume(look), 0.8 * enclosedVolume(capsule));
+    EXPECT_LT(enclosedVolume(look), 1.2 * enclosedVolume(capsule));
+    EXPECT_EQ(look.vertices[0], Vec3(0, 0, 0));
+    const double tip = 0.75 * tool.radius, taper = 0.4 * tool.length;
+    int nail = 0, skin = 0;
+    for (const Vec3& p : look.vertices) {
+      ASSERT_TRUE(p.allFinite());
+      if (p.z() > 0.016) continue;
+      // The last phalanx of the capsule: a ball at the tip, a first ring of the cone at 1.3 of its radius.
+      const double first = 1.3 * tip, cone = tip + (tool.radius - tip) * std::min(1.0, std::max(p.z(), first) / taper);
+      const double radius = p.z() < first ? tip + (cone - tip) * (p.z() - tip) / (first - tip) : cone;
+      const double off = p.z() < tip ? (p - Vec3(0, 0, tip)).norm() - tip : p.head<2>().norm() - radius;
+      EXPECT_LT(std::abs(off), 0.5e-3) << p.transpose();
+      if (insideNail(tool, p) > 0) {
+        ++nail;
+        EXPECT_GT(p.y(), 0) << "on the back";
+      } else {
+        ++skin;
+      }
+    }
+    EXPECT_GT(nail, 150);
+    EXPECT_GT(skin, 500);
+  }
+}
 
 TEST(ToolShapes, ballIsASphereAtTheTip) {
   const Tool tool = toolOf(ToolKind::Ball);
