@@ -35,8 +35,8 @@ Cut stopsAt(double v) {
   return {{x, mix(stops[i].y, stops[i + 1].y, t), mix(stops[i].z, stops[i + 1].z, t)}, {0, std::cos(angle), std::sin(angle)}};
 }
 
-/// Evened out over a stretch of the way, so that the borders in front and behind turn without a kink.
-Cut cutAt(double v) {
+/// Evened out over a stretch of the way.
+Cut evenCutAt(double v) {
   constexpr int kSamples = 8;  // to either side
   constexpr double kStretch = 0.12;
   Cut sum{Vec3::Zero(), Vec3::Zero()};
@@ -50,6 +50,13 @@ Cut cutAt(double v) {
     weights += weight;
   }
   return {sum.centre / weights, sum.out.normalized()};
+}
+
+/// Towards the borders in front and behind, which turn without a kink, the even one.
+Cut cutAt(double u, double v) {
+  const double aside = (2 * u - 1) * (2 * u - 1), weight = aside * aside;
+  const Cut cut = stopsAt(v), even = evenCutAt(v);
+  return {(1 - weight) * cut.centre + weight * even.centre, ((1 - weight) * cut.out + weight * even.out).normalized()};
 }
 
 /// Half the angle that the layer covers: less towards the neck and the arm's end, which rounds its four corners.
@@ -69,7 +76,7 @@ std::vector<double> heights(const Field& ground, int across, int along) {
   std::vector<double> height((across + 1) * (along + 1), 30);
   for (int j = 0; j <= along; ++j)
     for (int i = 0; i <= across; ++i) {
-      const Cut cut = cutAt(double(j) / along);
+      const Cut cut = cutAt(double(i) / across, double(j) / along);
       const Vec3 d = ray(cut, double(i) / across, double(j) / along);
       double r = 130;
       while (r > 20) {
@@ -119,7 +126,7 @@ TriMesh shell(const std::vector<double>& height, int across, int along) {
   for (const double lift : {kGap, kGap + kThickness})
     for (int j = 0; j <= along; ++j)
       for (int i = 0; i <= across; ++i) {
-        const Cut cut = cutAt(double(j) / along);
+        const Cut cut = cutAt(double(i) / across, double(j) / along);
         mesh.vertices.push_back(cut.centre + (height[j * (across + 1) + i] + lift) * ray(cut, double(i) / across, double(j) / along));
       }
   const int sheet = (across + 1) * (along + 1);

@@ -60,7 +60,7 @@ vec3 embossed(vec3 n, float height) {
   vec3 dx = dFdx(p_V), dy = dFdy(p_V), a = cross(dy, n), b = cross(n, dx);
   float area = dot(dx, a);
   vec3 slope = sign(area) * (dFdx(height) * a + dFdy(height) * b);
-  float most = 0.7 * abs(area);  // a step between two pixels is no cliff
+  float most = 0.5 * abs(area);  // a step between two pixels is no cliff
   float length2 = dot(slope, slope);
   if (length2 > most * most) slope *= most * inversesqrt(length2);
   return normalize(abs(area) * n - slope);
