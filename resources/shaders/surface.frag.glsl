@@ -116,8 +116,8 @@ void main() {
     vec3 coarse = vec3(0.011), fine = vec3(0.0032);
     float depth = mix(0.16, 0.03, share.y), relief = 1.2e-4 * (1.0 - share.y);
     if (grain == 1) {
-      coarse = mix(vec3(0.0026, 0.0040, 0.045), vec3(0.0014, 0.0030, 0.060), step(0.5, tendon));
-      fine = mix(vec3(0.0009, 0.0018, 0.018), vec3(0.0005, 0.0010, 0.020), step(0.5, tendon));
+      coarse = mix(vec3(0.0026, 0.0090, 0.045), vec3(0.0014, 0.0030, 0.060), step(0.5, tendon));
+      fine = mix(vec3(0.0009, 0.0040, 0.018), vec3(0.0005, 0.0010, 0.020), step(0.5, tendon));
       depth = mix(0.75, 0.30, tendon);
       relief = mix(4.0e-4, 1.2e-4, tendon);
     } else if (grain == 3) {

@@ -77,7 +77,7 @@ TriMesh makeFingerLook(const Tool& tool) {
   add(0, 0, 0, 0);
   const std::vector<double> rings = heights(length);
   const auto narrowed = [&](double z) {
-    const double t = tool.link.empty() ? 0 : std::clamp((z - 8) / 5, 0.0, 1.0);
+    const double t = tool.link.empty() ? 0 : std::clamp((z - 6) / 10, 0.0, 1.0);
     return 1 - 0.32 * t * t * (3 - 2 * t);
   };
   const auto ring = [&](double z, double along, double shrink) {
