@@ -47,7 +47,11 @@ Surfaces coracoacromialLigament(const Bones&) {
       {in + 2.5 * way, {0.3, 0.85, -0.3}, 5.6, 1.1, 0, 0, 0},
   };
   Surfaces s;
+  tube.places = closerAtEnds(34);
+  tube.endLength = 0.12;
   s.visual = sweep(tube, 24, 34);
+  tube.places.clear();
+  tube.endLength = 0.05;
   tube.phase = 0.5;
   s.collision = sweep(tube, 6, 12);
   return s;
