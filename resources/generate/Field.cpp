@@ -238,9 +238,10 @@ Vec3 project(const Field& field, Vec3 p, double offset) {
 }
 
 Vec3 settle(const Field& field, Vec3 p, const Vec3& direction, double clearance, double reach) {
-  constexpr double kStep = 0.25;  // mm; thin bone is 3 mm, so no march steps over it
+  constexpr double kStep = 0.25;    // mm; thin bone is 3 mm, so no march steps over it
+  constexpr double kWayOut = 22.0;  // mm; what is deeper than this came from the other side
   const bool clear = field(p) >= clearance;
-  const double sign = clear ? -1 : 1, length = clear ? reach : 40;
+  const double sign = clear ? -1 : 1, length = clear ? reach : kWayOut;
   for (double walked = 0; walked < length; walked += kStep) {
     const Vec3 next = p + walked * sign * direction;
     if ((field(next) >= clearance) == clear) continue;

@@ -76,7 +76,7 @@ double distance(const Field& field, const Vec3& p);
 /// Newton along the gradient to the level `offset`; a few iterations, bounded steps.
 Vec3 project(const Field& field, Vec3 p, double offset = 0);
 
-/// Moves p along +direction until the field is at least `clearance`, or, when it is already clear, along
+/// Moves p along +direction until the field is at least `clearance`, at most 22 mm, or, when it is already clear, along
 /// −direction until it is down on it, at most `reach`; without a hit p stays. `direction` is a unit vector.
 Vec3 settle(const Field& field, Vec3 p, const Vec3& direction, double clearance, double reach);
 
