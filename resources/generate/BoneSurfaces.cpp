@@ -5,16 +5,16 @@
 #include "resources/generate/Bones.h"
 #include "resources/generate/Coarse.h"
 #include "resources/generate/Flesh.h"
-#include "resources/generate/Relax.h"
 #include "resources/generate/Parts.h"
+#include "resources/generate/Relax.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {
 
 namespace {
 
-/// Where something lies on the bone: on the head and the tubercles the socket and the cuff, in the groove the biceps
-/// tendon; the shaft and the elbow touch nothing.
+/// Where something lies on the bone: on the head and the tubercles the socket and the cuff, in the groove the
+/// biceps tendon; the shaft and the elbow touch nothing.
 double onHumerus(const Vec3& p) {
   if (p.y() < -50) return 0.01;
   if (p.y() < -22) return 0.1;
@@ -25,7 +25,8 @@ double onHumerus(const Vec3& p) {
 
 /// The socket with its rim, under the acromion, and less what only muscles grow from.
 Importance onScapula() {
-  return [socket = scapula::glenoid(), rim = scapula::glenoidRim(), roof = scapula::acromionField()](const Vec3& p) {
+  return [socket = scapula::glenoid(), rim = scapula::glenoidRim(),
+          roof = scapula::acromionField()](const Vec3& p) {
     const Vec3 q = socket.toLocal(p);
     if (q.z() > -3 && polygonDistance(rim, q.head<2>()) < 1.5) return 1.0;
     return roof(p) < 2 ? 0.3 : 0.01;
@@ -60,7 +61,8 @@ Bones makeBones() {
   bones.scapula.visual = thinned(scapulaFine, 10224, seen(onScapula()));
   bones.scapula.collision = coarseOf(bones.scapula.visual, bones.scapulaShape, 110, onScapula());
   bones.humerusCoarse = fieldOf(bones.humerus.collision);
-  // Coarse triangles fill the socket a little: it keeps off the head, at least as far as the labrum's edge needs.
+  // Coarse triangles fill the socket a little: it keeps off the head, at least as far as the labrum's edge
+  // needs.
   keepClear(bones.scapula.collision, bones.humerusCoarse, 1.8);
   bones.scapulaCoarse = fieldOf(bones.scapula.collision);
   return bones;

@@ -15,11 +15,11 @@ namespace glenoid::generate {
 namespace {
 
 constexpr int kRounds = 60;
-constexpr int kSamples = 5;          ///< per edge of a coarse triangle
-constexpr double kTail = 0.5;        ///< mm; what lies farther off than this counts more than squared
-constexpr double kPitch = 0.6;       ///< of the way to each round's solution
-constexpr double kHold = 2e-3;       ///< share of the mean weight that holds vertices where they are
-constexpr double kLongestMove = 1.0; ///< mm a round
+constexpr int kSamples = 5;           ///< per edge of a coarse triangle
+constexpr double kTail = 0.5;         ///< mm; what lies farther off than this counts more than squared
+constexpr double kPitch = 0.6;        ///< of the way to each round's solution
+constexpr double kHold = 2e-3;        ///< share of the mean weight that holds vertices where they are
+constexpr double kLongestMove = 1.0;  ///< mm a round
 
 struct Sample {
   Vec3 at;
@@ -39,13 +39,16 @@ std::vector<Sample> samplesOf(const TriMesh& fine, const Importance& importance)
 /// Normal equations of: the point with these weights of three vertices moves by `distance` along `direction`.
 class Equations {
  public:
-  explicit Equations(int vertices) : m_left(MatX::Zero(3 * vertices, 3 * vertices)), m_right(VecX::Zero(3 * vertices)) {}
-  void add(const std::array<int, 3>& vertices, const Vec3& weights, const Vec3& direction, double distance, double weight) {
+  explicit Equations(int vertices)
+      : m_left(MatX::Zero(3 * vertices, 3 * vertices)), m_right(VecX::Zero(3 * vertices)) {}
+  void add(const std::array<int, 3>& vertices, const Vec3& weights, const Vec3& direction, double distance,
+           double weight) {
     const double off = distance / kTail, w = weight * (1 + off * off);
     for (int k = 0; k < 3; ++k) {
       m_right.segment<3>(3 * vertices[k]) += w * weights[k] * distance * direction;
       for (int l = 0; l < 3; ++l)
-        m_left.block<3, 3>(3 * vertices[k], 3 * vertices[l]) += w * weights[k] * weights[l] * direction * direction.transpose();
+        m_left.block<3, 3>(3 * vertices[k], 3 * vertices[l]) +=
+            w * weights[k] * weights[l] * direction * direction.transpose();
     }
   }
   VecX solve() {
@@ -59,7 +62,8 @@ class Equations {
 };
 
 /// One round; the answer is the sum that is made small, before the move.
-double fitOnce(TriMesh& coarse, const std::vector<Sample>& samples, const Field& shape, const Importance& importance) {
+double fitOnce(TriMesh& coarse, const std::vector<Sample>& samples, const Field& shape,
+               const Importance& importance) {
   const TriangleTree tree(coarse);
   Equations equations(int(coarse.vertices.size()));
   double sum = 0;
@@ -68,7 +72,8 @@ double fitOnce(TriMesh& coarse, const std::vector<Sample>& samples, const Field&
     const Vec3 way = s.at - hit.point;
     sum += s.weight * std::pow(hit.distance, 4);
     if (hit.distance < 1e-6) continue;
-    equations.add(coarse.triangles[hit.triangle], hit.barycentric, way / hit.distance, hit.distance, s.weight);
+    equations.add(coarse.triangles[hit.triangle], hit.barycentric, way / hit.distance, hit.distance,
+                  s.weight);
   }
   for (const auto& t : coarse.triangles) {
     const Vec3 &a = coarse.vertices[t[0]], &b = coarse.vertices[t[1]], &c = coarse.vertices[t[2]];

@@ -20,7 +20,8 @@ double coneDistance(const Knot& a, const Knot& b, const Vec3& p) {
 }
 
 double catmullRom(double a, double b, double c, double d, double t) {
-  return 0.5 * (2 * b + t * (c - a) + t * t * (2 * a - 5 * b + 4 * c - d) + t * t * t * (3 * b - a - 3 * c + d));
+  return 0.5 *
+         (2 * b + t * (c - a) + t * t * (2 * a - 5 * b + 4 * c - d) + t * t * t * (3 * b - a - 3 * c + d));
 }
 
 /// Closed outline of a section, moved so that its middle lies where the section says.
@@ -106,9 +107,10 @@ Field stretched(Field field, const Vec3& origin, const Vec3& direction, double f
 Field plate(Plate shape) {
   return [shape = std::move(shape)](const Vec3& p) {
     const Vec3 q = shape.frame.toLocal(p);
-    return rounded(polygonDistance(shape.outline, q.head<2>()),
-                   std::abs(q.z() - shape.height(q.x(), q.y())) - shape.taper(q.x(), q.y()) * shape.thickness / 2,
-                   shape.rounding);
+    return rounded(
+        polygonDistance(shape.outline, q.head<2>()),
+        std::abs(q.z() - shape.height(q.x(), q.y())) - shape.taper(q.x(), q.y()) * shape.thickness / 2,
+        shape.rounding);
   };
 }
 
@@ -129,7 +131,8 @@ Field swept(const Frame& frame, const std::vector<Section>& sections, double rou
     // Slopes over unequal spans: finite differences (Catmull and Rom's for equal ones).
     const auto slope = [&](int j, std::size_t v) -> Vec2 {
       const int l = std::max(j - 1, 0), r = std::min(j + 1, n - 1);
-      return (given[r][v] - given[l][v]) / (sections[r].z - sections[l].z) * (sections[i + 1].z - sections[i].z);
+      return (given[r][v] - given[l][v]) / (sections[r].z - sections[l].z) *
+             (sections[i + 1].z - sections[i].z);
     };
     for (std::size_t v = 0; v < given[i].size(); ++v) {
       const Vec2 a = given[i][v], b = given[i + 1][v], m = slope(i, v), o = slope(i + 1, v);
@@ -144,7 +147,8 @@ Field swept(const Frame& frame, const std::vector<Section>& sections, double rou
     const double t = place - k;
     static thread_local std::vector<Vec2> outline;
     outline.resize(outlines[k].size());
-    for (std::size_t v = 0; v < outline.size(); ++v) outline[v] = (1 - t) * outlines[k][v] + t * outlines[k + 1][v];
+    for (std::size_t v = 0; v < outline.size(); ++v)
+      outline[v] = (1 - t) * outlines[k][v] + t * outlines[k + 1][v];
     return rounded(polygonDistance(outline, q.head<2>()), std::max(bottom - q.z(), q.z() - top), rounding);
   };
 }
@@ -155,8 +159,10 @@ Field turned(const Frame& frame, const std::vector<Vec2>& profile, double roundi
   std::vector<Vec2> closed;
   for (int i = 0; i + 1 < n; ++i)
     for (int k = 0; k < 6; ++k) {
-      const Vec2 &a = profile[std::max(i - 1, 0)], &b = profile[i], &c = profile[i + 1], &d = profile[std::min(i + 2, n - 1)];
-      closed.push_back({catmullRom(a.x(), b.x(), c.x(), d.x(), k / 6.0), catmullRom(a.y(), b.y(), c.y(), d.y(), k / 6.0)});
+      const Vec2 &a = profile[std::max(i - 1, 0)], &b = profile[i], &c = profile[i + 1],
+                 &d = profile[std::min(i + 2, n - 1)];
+      closed.push_back(
+          {catmullRom(a.x(), b.x(), c.x(), d.x(), k / 6.0), catmullRom(a.y(), b.y(), c.y(), d.y(), k / 6.0)});
     }
   closed.push_back(profile.back());
   for (Vec2& p : closed) p.y() -= rounding;

@@ -46,9 +46,9 @@ struct Plate {
 };
 Field plate(Plate shape);
 
-/// Outline of a long bone's section in the frame's xy plane at a height z: its four extreme points about `centre`,
-/// where the middle of the outline's length comes to lie, and how full its corners are to the +y and the −y side
-/// (0.71: an ellipse; less: a ridge between flat faces).
+/// Outline of a long bone's section in the frame's xy plane at a height z: its four extreme points about
+/// `centre`, where the middle of the outline's length comes to lie, and how full its corners are to the +y
+/// and the −y side (0.71: an ellipse; less: a ridge between flat faces).
 struct Section {
   double z;
   Vec2 centre, left, right, front, back;
@@ -57,7 +57,8 @@ struct Section {
 /// Body through sections in order of z, which runs up or down; ends are rounded by `rounding`.
 Field swept(const Frame& frame, const std::vector<Section>& sections, double rounding);
 
-/// Turned on a lathe about the frame's x axis: (x, radius) from one end to the other, corners rounded by `rounding`.
+/// Turned on a lathe about the frame's x axis: (x, radius) from one end to the other, corners rounded by
+/// `rounding`.
 Field turned(const Frame& frame, const std::vector<Vec2>& profile, double rounding);
 
 Field smoothUnion(std::vector<Field> fields, double blend);
@@ -76,8 +77,9 @@ double distance(const Field& field, const Vec3& p);
 /// Newton along the gradient to the level `offset`; a few iterations, bounded steps.
 Vec3 project(const Field& field, Vec3 p, double offset = 0);
 
-/// Moves p along +direction until the field is at least `clearance`, at most 22 mm, or, when it is already clear, along
-/// −direction until it is down on it, at most `reach`; without a hit p stays. `direction` is a unit vector.
+/// Moves p along +direction until the field is at least `clearance`, at most 22 mm, or, when it is already
+/// clear, along −direction until it is down on it, at most `reach`; without a hit p stays. `direction` is a
+/// unit vector.
 Vec3 settle(const Field& field, Vec3 p, const Vec3& direction, double clearance, double reach);
 
 }  // namespace glenoid::generate

@@ -18,7 +18,8 @@ Mat3 anatomicalAxes() {
   return axes;
 }
 
-/// Across the shaft: x lateral, y forward, z proximal; origin on the canal's axis at the height of the head's centre.
+/// Across the shaft: x lateral, y forward, z proximal; origin on the canal's axis at the height of the head's
+/// centre.
 Frame canalFrame() {
   const Vec3 z = canalAxis(), elbow = lateralEpicondyle() - medialEpicondyle();
   const Vec3 x = (elbow - elbow.dot(z) * z).normalized();
@@ -28,10 +29,10 @@ Frame canalFrame() {
   return f;
 }
 
-/// The shaft down to the elbow: round above, with the long flat rise of the deltoid tuberosity at its outer side, then
-/// three-edged with a crest in front, then flat between the two supracondylar ridges. It is bowed outward and its
-/// lower half forward; the middles of its sections lie on a line between 140 and 215 mm below the head's centre that
-/// keeps the offsets of the head (see canalAxis).
+/// The shaft down to the elbow: round above, with the long flat rise of the deltoid tuberosity at its outer
+/// side, then three-edged with a crest in front, then flat between the two supracondylar ridges. It is bowed
+/// outward and its lower half forward; the middles of its sections lie on a line between 140 and 215 mm below
+/// the head's centre that keeps the offsets of the head (see canalAxis).
 Field shaft() {
   const auto ring = [](double z, const Vec2& centre, double r) {
     return Section{z, centre, {-r, 0}, {r, 0}, {0, r}, {0, -r}};
@@ -55,24 +56,30 @@ Field shaft() {
                4);
 }
 
-/// Both epicondyles and what the forearm turns on: in front at the outer side a ball (capitulum), inward of it a spool
-/// (trochlea) whose inner lip is larger and reaches lower. Fossae take the forearm's bones at the ends of their way.
+/// Both epicondyles and what the forearm turns on: in front at the outer side a ball (capitulum), inward of
+/// it a spool (trochlea) whose inner lip is larger and reaches lower. Fossae take the forearm's bones at the
+/// ends of their way.
 Field withElbow(Field bone) {
   Frame f = canalFrame();
   f.origin = 0.5 * (lateralEpicondyle() + medialEpicondyle());
-  const auto at = [&](double lateral, double forward, double up) { return f.toWorld({lateral, forward, up}); };
+  const auto at = [&](double lateral, double forward, double up) {
+    return f.toWorld({lateral, forward, up});
+  };
   const Field medial = chain({{at(-20, -1, 4), 8}, {at(-28.8, -2, 1.2), 6.6}});
   const Field outer = chain({{at(21, 0, 2), 7}, {at(29.4, 0, -1.8), 5.6}});
   bone = smoothUnion({bone, smoothUnion({medial, outer}, 4)}, 7);
   const Field capitulum = ellipsoid({at(21, 6.5, -8), f.axes}, {9.6, 10.8, 10.8});
   Frame spool = f;
   spool.origin = at(0, 5, -7);
-  const Field trochlea = turned(spool, {{-17, 9}, {-14.2, 13}, {-9, 11.3}, {-2, 9}, {5, 9.2}, {10.5, 10.4}, {15, 9}}, 2.2);
+  const Field trochlea =
+      turned(spool, {{-17, 9}, {-14.2, 13}, {-9, 11.3}, {-2, 9}, {5, 9.2}, {10.5, 10.4}, {15, 9}}, 2.2);
   bone = smoothUnion({bone, smoothUnion({capitulum, trochlea}, 3)}, 4);
-  const auto hollow = [&](const Vec3& centre, const Vec3& halfAxes) { return ellipsoid({centre, f.axes}, halfAxes); };
-  bone = smoothSubtract(bone, hollow(at(-1, -11, 9.5), {12.5, 9, 9.5}), 3);  // olecranon fossa
-  bone = smoothSubtract(bone, hollow(at(-4, 11.5, 10.5), {7.5, 8.5, 6}), 3);   // coronoid fossa
-  return smoothSubtract(bone, hollow(at(17, 12, 9), {6, 6.5, 5}), 3);      // radial fossa
+  const auto hollow = [&](const Vec3& centre, const Vec3& halfAxes) {
+    return ellipsoid({centre, f.axes}, halfAxes);
+  };
+  bone = smoothSubtract(bone, hollow(at(-1, -11, 9.5), {12.5, 9, 9.5}), 3);   // olecranon fossa
+  bone = smoothSubtract(bone, hollow(at(-4, 11.5, 10.5), {7.5, 8.5, 6}), 3);  // coronoid fossa
+  return smoothSubtract(bone, hollow(at(17, 12, 9), {6, 6.5, 5}), 3);         // radial fossa
 }
 
 }  // namespace
@@ -120,15 +127,27 @@ Field filledField() {
                                {{-4.5, -9, 16.2}, 9.8},
                                {canalAt(-30) + Vec3(-2, 0, 3), 10.5},
                                {canalAt(-66), 8}});
-  const Field lesser =
-      chain({{{19.2, 1.2, 0.2}, 8.4}, {{17.4, -8, 3.4}, 8.2}, {canalAt(-32) + Vec3(3, 0, -2), 10}, {canalAt(-66), 8}});
+  const Field lesser = chain({{{19.2, 1.2, 0.2}, 8.4},
+                              {{17.4, -8, 3.4}, 8.2},
+                              {canalAt(-32) + Vec3(3, 0, -2), 10},
+                              {canalAt(-66), 8}});
   // Under the head, where the neck's inner side runs into the shaft.
-  const Field calcar = chain({{{-3, -12, -2}, 9.5}, {canalAt(-36) + Vec3(-1, 0, -3), 10.5}, {canalAt(-66) + Vec3(0, 0, 1.5), 6.5}});
+  const Field calcar = chain(
+      {{{-3, -12, -2}, 9.5}, {canalAt(-36) + Vec3(-1, 0, -3), 10.5}, {canalAt(-66) + Vec3(0, 0, 1.5), 6.5}});
   // Crests of the tubercles, the lips of the groove.
-  const Field lateralLip =
-      chain({{{10.5, 9, 17.5}, 7.6}, {{12.2, 1, 18.2}, 7.2}, {{11.6, -8, 18.6}, 6.8}, {{8, -22, 18.5}, 6.2}, {canalAt(-46) + Vec3(5, 0, 4), 6}, {canalAt(-78), 5}});
-  const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0}, {{18.0, -8, 5.6}, 7.4}, {{12.5, -24, 8.5}, 6.6}, {canalAt(-48) + Vec3(5, 0, -2), 6}, {canalAt(-78), 5}});
-  Field bone = smoothUnion({unionOf(shaft(), metaphysis), neck, calcar, greater, lesser, lateralLip, medialLip}, 5);
+  const Field lateralLip = chain({{{10.5, 9, 17.5}, 7.6},
+                                  {{12.2, 1, 18.2}, 7.2},
+                                  {{11.6, -8, 18.6}, 6.8},
+                                  {{8, -22, 18.5}, 6.2},
+                                  {canalAt(-46) + Vec3(5, 0, 4), 6},
+                                  {canalAt(-78), 5}});
+  const Field medialLip = chain({{{18.8, 2, 4.0}, 8.0},
+                                 {{18.0, -8, 5.6}, 7.4},
+                                 {{12.5, -24, 8.5}, 6.6},
+                                 {canalAt(-48) + Vec3(5, 0, -2), 6},
+                                 {canalAt(-78), 5}});
+  Field bone =
+      smoothUnion({unionOf(shaft(), metaphysis), neck, calcar, greater, lesser, lateralLip, medialLip}, 5);
   return smoothUnion({withElbow(bone), sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
 }
 

@@ -22,34 +22,54 @@ double bend(double x, double y) {
 Field bladeField() {
   Plate plate_;
   plate_.frame = blade();
-  // From the root of the spine over the upper angle, down the upper border to the suprascapular notch beside the
-  // coracoid, under the neck and down the outer border to the lower angle; the inner border is bowed.
-  plate_.outline = closedCurve({{-1, 0},     {3.5, 12},  {12, 25},   {24, 34},  {37, 38.5}, {46, 35},   {57, 26},
-                                {68, 17},    {77, 9.5},  {83, 6.5},  {89, 9},   {100, 10},  {108, -2},  {108, -30},
-                                {100, -42},  {80, -64},  {56, -92},  {26, -120}, {9, -127}, {1, -121},  {-4, -105},
-                                {-7.5, -82}, {-8, -56},  {-5.5, -30}, {-2.5, -14}},
-                               5);
+  // From the root of the spine over the upper angle, down the upper border to the suprascapular notch beside
+  // the coracoid, under the neck and down the outer border to the lower angle; the inner border is bowed.
+  plate_.outline =
+      closedCurve({{-1, 0},     {3.5, 12}, {12, 25},    {24, 34},   {37, 38.5}, {46, 35},  {57, 26},
+                   {68, 17},    {77, 9.5}, {83, 6.5},   {89, 9},    {100, 10},  {108, -2}, {108, -30},
+                   {100, -42},  {80, -64}, {56, -92},   {26, -120}, {9, -127},  {1, -121}, {-4, -105},
+                   {-7.5, -82}, {-8, -56}, {-5.5, -30}, {-2.5, -14}},
+                  5);
   plate_.thickness = 3.4;
   plate_.rounding = 1.6;
   plate_.height = bend;
   const auto knot = [](double x, double y, double r, double d = 0) { return Knot{onBlade(x, y, d), r}; };
-  const Field lateral = chain(
-      {knot(9, -122, 2.8), knot(34, -110, 3.3), knot(58, -85, 3.6), knot(82, -60, 4.0), knot(100, -39, 4.8),
-       {glenoid().toWorld({0, -15, -7}), 6.5}});
-  const Field medial = chain({knot(8, -122, 2.8), knot(-3, -97, 1.7), knot(-6, -60, 1.6), knot(-2.5, -22, 1.6), knot(1.4, 0, 1.5),
-                              knot(8, 17, 1.7), knot(23, 31.5, 1.8), knot(37, 36.2, 1.9)});
+  const Field lateral = chain({knot(9, -122, 2.8),
+                               knot(34, -110, 3.3),
+                               knot(58, -85, 3.6),
+                               knot(82, -60, 4.0),
+                               knot(100, -39, 4.8),
+                               {glenoid().toWorld({0, -15, -7}), 6.5}});
+  const Field medial =
+      chain({knot(8, -122, 2.8), knot(-3, -97, 1.7), knot(-6, -60, 1.6), knot(-2.5, -22, 1.6),
+             knot(1.4, 0, 1.5), knot(8, 17, 1.7), knot(23, 31.5, 1.8), knot(37, 36.2, 1.9)});
   return smoothUnion({smoothUnion({plate(plate_), lateral}, 5), medial}, 2.5);
 }
 
-/// The spine: a wall from the blade to its crest, which broadens outward into the acromion. Its free outer border is
-/// hollow and comes near the neck of the socket, from which the spinoglenoid notch separates it.
+/// The spine: a wall from the blade to its crest, which broadens outward into the acromion. Its free outer
+/// border is hollow and comes near the neck of the socket, from which the spinoglenoid notch separates it.
 Field spineField() {
   Plate wall;
   wall.frame = blade();
   // In this plate x runs along the spine, y dorsally, z is the height in the blade's plane.
   wall.frame.axes << blade().axes.col(0), blade().axes.col(2), -blade().axes.col(1);
-  wall.outline = closedCurve({{5, -1},  {12, 2.5}, {32, 9.5},  {60, 24},   {88, 38}, {106, 41.5}, {112, 40}, {111, 33},
-                              {105, 26}, {99, 21}, {96.5, 16}, {97.5, 10}, {97, 3},  {94, -5},    {70, -4},   {40, -1.5}, {15, -1.2}},
+  wall.outline = closedCurve({{5, -1},
+                              {12, 2.5},
+                              {32, 9.5},
+                              {60, 24},
+                              {88, 38},
+                              {106, 41.5},
+                              {112, 40},
+                              {111, 33},
+                              {105, 26},
+                              {99, 21},
+                              {96.5, 16},
+                              {97.5, 10},
+                              {97, 3},
+                              {94, -5},
+                              {70, -4},
+                              {40, -1.5},
+                              {15, -1.2}},
                              5);
   wall.thickness = 4.2;
   wall.rounding = 2;
@@ -77,9 +97,25 @@ Field spineField() {
 Field roofField() {
   Plate roof;
   roof.frame = acromion();
-  roof.outline = closedCurve({{-28.5, -4.5}, {-25, -7.8}, {-14, -10.8}, {0, -11.8}, {13, -10.2}, {20.5, -6.6}, {24.8, -1}, {23.5, 5},
-                              {17, 9.6},     {6, 11.8},   {-5, 13},     {-12, 15.5}, {-18, 19},  {-23, 25},    {-28, 31},  {-32, 31},
-                              {-33.5, 24},   {-32.6, 12}, {-30.4, 1}},
+  roof.outline = closedCurve({{-28.5, -4.5},
+                              {-25, -7.8},
+                              {-14, -10.8},
+                              {0, -11.8},
+                              {13, -10.2},
+                              {20.5, -6.6},
+                              {24.8, -1},
+                              {23.5, 5},
+                              {17, 9.6},
+                              {6, 11.8},
+                              {-5, 13},
+                              {-12, 15.5},
+                              {-18, 19},
+                              {-23, 25},
+                              {-28, 31},
+                              {-32, 31},
+                              {-33.5, 24},
+                              {-32.6, 12},
+                              {-30.4, 1}},
                              5);
   roof.thickness = 8.4;
   roof.rounding = 3;
@@ -151,8 +187,8 @@ Vec3 onBlade(double x, double y, double dorsal) {
 }
 
 std::vector<Knot> coracoid() {
-  return {{{-9, 6, -41}, 9.5},    {{-3.5, 16.5, -44.5}, 8.4}, {{6.8, 22.0, -43.6}, 7.5},
-          {{17, 20.0, -37.6}, 6.9}, {{23.3, 14.9, -33}, 6.4}, {{25.6, 12.0, -31.8}, 5.6}};
+  return {{{-9, 6, -41}, 9.5},      {{-3.5, 16.5, -44.5}, 8.4}, {{6.8, 22.0, -43.6}, 7.5},
+          {{17, 20.0, -37.6}, 6.9}, {{23.3, 14.9, -33}, 6.4},   {{25.6, 12.0, -31.8}, 5.6}};
 }
 
 Field coracoidField() {
@@ -177,9 +213,12 @@ Field field() {
     const double end = std::max(q.z() - 7, -20 - q.z());
     return std::min(std::max(side, end), 0.0) + Vec2(std::max(side, 0.0), std::max(end, 0.0)).norm() - 1.6;
   };
-  const Field neck = chain({{onBlade(84, -13, 0), 1}, {onBlade(94, -13, 0.5), 5}, {socket.toWorld({0, -2, -14}), 10.5}});
+  const Field neck =
+      chain({{onBlade(84, -13, 0), 1}, {onBlade(94, -13, 0.5), 5}, {socket.toWorld({0, -2, -14}), 10.5}});
   // The coracoid's root: broad, with a corner over the suprascapular notch.
-  const Field root = chain({{onBlade(93, 6, 1), 4.5}, {blade().toWorld({95.5, 13.5, -14}), 4.6}, {coracoid()[1].at + Vec3(-1, -2, -2), 6}});
+  const Field root = chain({{onBlade(93, 6, 1), 4.5},
+                            {blade().toWorld({95.5, 13.5, -14}), 4.6},
+                            {coracoid()[1].at + Vec3(-1, -2, -2), 6}});
   Field bone = smoothUnion({bladeField(), neck}, 9);
   bone = smoothUnion({bone, block}, 5);
   bone = smoothUnion({bone, spineField()}, 6);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clavicle of the shoulder for palpation against published sizes. Its sternal end is judged by the bone's length:
-// the landmark of the scaled reference lies 15 mm farther in than a clavicle of the published length reaches.
+// The clavicle of the shoulder for palpation against published sizes. Its sternal end is judged by the bone's
+// length: the landmark of the scaled reference lies 15 mm farther in than a clavicle of the published length
+// reaches.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,8 @@ TEST(Clavicle, measuresAsPublished) {
   const Extents size = principalExtents(clavicle());
   expectMeasure("length of the clavicle", size.size[0], "mm", {152, 11, "Andermahr 2007, men"});
   // The end stands 4 mm higher, as the acromion does, for the subacromial gap of a healthy shoulder.
-  expectMeasure("acromial end of the clavicle from its place", (sectionAt(0.985).middle - Vec3(-8.5, 38.4 + 4, -17.7)).norm(), "mm",
+  expectMeasure("acromial end of the clavicle from its place",
+                (sectionAt(0.985).middle - Vec3(-8.5, 38.4 + 4, -17.7)).norm(), "mm",
                 {0, 4, "anatomy.json x 1.0975"});
 }
 
@@ -49,8 +51,10 @@ TEST(Clavicle, isBentLikeAnSAndFlatAtItsAcromialEnd) {
     return p.x() - (first.x() + t * (last.x() - first.x()));
   };
   const double inner = ahead(0.35), outer = ahead(0.8);
-  std::printf("the clavicle's middle stands %.1f mm before the line between its ends at a third, %.1f mm at four fifths\n",
-              inner, outer);
+  std::printf(
+      "the clavicle's middle stands %.1f mm before the line between its ends at a third, %.1f mm at four "
+      "fifths\n",
+      inner, outer);
   EXPECT_GT(inner, 6) << "the inner two thirds bulge forward";
   EXPECT_LT(outer, inner - 8) << "the outer third bulges back";
   const Cut flat = sectionAt(0.9);

@@ -49,8 +49,8 @@ TriMesh undersideOf(const TriMesh& surface) {
   return down;
 }
 
-/// Judged are 95 % of what touches: with the triangles of the paper's table single points stand off farther, at most as
-/// printed (the socket's rim and the tubercles' edges are sharper than a few triangles can be).
+/// Judged are 95 % of what touches: with the triangles of the paper's table single points stand off farther,
+/// at most as printed (the socket's rim and the tubercles' edges are sharper than a few triangles can be).
 TEST(CollisionSurfaces, lieWithinAMillimetreWhereContactHappens) {
   const Joint& joint = shippedShoulder();
   std::printf("| collision surface | mean, mm | 95 %%, mm | most, mm |\n|---|---|---|---|\n");
@@ -61,16 +61,11 @@ TEST(CollisionSurfaces, lieWithinAMillimetreWhereContactHappens) {
     print(part.id + ", all of it",
           deviation(inMillimetres(*part.visual), TriangleTree(inMillimetres(*part.collision))));
   }
-  const std::pair<const char*, const char*> places[] = {{"humerus", "head-cartilage"},
-                                                        {"humerus", "bicipital-groove"},
-                                                        {"humerus", "greater-tubercle"},
-                                                        {"humerus", "lesser-tubercle"},
-                                                        {"humerus", "superior-facet"},
-                                                        {"humerus", "middle-facet"},
-                                                        {"humerus", "inferior-facet"},
-                                                        {"humerus", "lesser-tubercle-facet"},
-                                                        {"scapula", "glenoid-cartilage"},
-                                                        {"scapula", "acromion"}};
+  const std::pair<const char*, const char*> places[] = {
+      {"humerus", "head-cartilage"},  {"humerus", "bicipital-groove"},      {"humerus", "greater-tubercle"},
+      {"humerus", "lesser-tubercle"}, {"humerus", "superior-facet"},        {"humerus", "middle-facet"},
+      {"humerus", "inferior-facet"},  {"humerus", "lesser-tubercle-facet"}, {"scapula", "glenoid-cartilage"},
+      {"scapula", "acromion"}};
   for (const auto& [id, region] : places) {
     const Part& part = partOf(joint, id);
     const bool isRoof = std::string(region) == "acromion";

@@ -25,8 +25,8 @@ TEST(Isosurface, ofASphereIsClosedAndHasItsVolume) {
 }
 
 TEST(Swept, putsTheMiddleOfASectionWhereItSays) {
-  // A section that reaches farther to the right than to the left, about (3, 1): its outline's middle lies there all the
-  // same, half way between two equal sections.
+  // A section that reaches farther to the right than to the left, about (3, 1): its outline's middle lies
+  // there all the same, half way between two equal sections.
   const Section section{0, {3, 1}, {-4, 0}, {8, 0}, {0, 5}, {0, -5}};
   Section other = section;
   other.z = 20;
@@ -116,7 +116,8 @@ TEST(GenerateShoulder, givesTheLayersForPalpationThatShip) {
   ASSERT_TRUE(made.ok());
   const Result<Joint> shipped = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/shoulder-superficial.joint");
   ASSERT_TRUE(shipped.ok()) << toLogLine(shipped.error());
-  EXPECT_EQ(jointHash(*made), jointHash(*shipped)) << "run generate_shoulder OUT superficial and commit its answer";
+  EXPECT_EQ(jointHash(*made), jointHash(*shipped))
+      << "run generate_shoulder OUT superficial and commit its answer";
 }
 
 }  // namespace

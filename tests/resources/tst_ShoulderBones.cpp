@@ -204,14 +204,16 @@ TEST(Scapula, processesMeasureAsPublished) {
   expectMeasure("width of the coracoid", widest, "mm", tenth(14.6, "Siriraj 2004"));
   expectMeasure("thickness of the coracoid", thinnest, "mm", {11, 1, "von Schroeder 2001"});
   expectMeasure("acromion to humeral head", gap, "mm", {9.5, 0.95, "Petersson 1984"});
-  // The source does not say between which points it measured. The shortest way from the socket's rim to the roof is
-  // 16.4 mm on the scaled reference body, whose subacromial gap is 5 mm; the roof here is 4 mm higher for a healthy gap.
+  // The source does not say between which points it measured. The shortest way from the socket's rim to the
+  // roof is 16.4 mm on the scaled reference body, whose subacromial gap is 5 mm; the roof here is 4 mm higher
+  // for a healthy gap.
   reportMeasure("acromion to the glenoid, shortest", toGlenoid, "mm", {16, 2, "von Schroeder 2001"},
                 "the roof is raised to a healthy gap, and the source's points are not told");
-  // Siriraj measured scapulae of 139 mm, this one has 167. The two landmarks cannot come as near: on the scaled reference
-  // they lie 41.8 mm apart, and 43.7 mm once the acromion's tip is raised by the 3.2 mm that a subacromial gap within its
-  // tolerance takes. Held within 4 mm of their places, the coracoid's tip gains 4 mm straight on and the acromion's the
-  // 2.4 mm that are left to it sideways, of which 1.9 mm count: 37.8 mm at least, the roof's nearest vertex 2 mm less.
+  // Siriraj measured scapulae of 139 mm, this one has 167. The two landmarks cannot come as near: on the
+  // scaled reference they lie 41.8 mm apart, and 43.7 mm once the acromion's tip is raised by the 3.2 mm that
+  // a subacromial gap within its tolerance takes. Held within 4 mm of their places, the coracoid's tip gains
+  // 4 mm straight on and the acromion's the 2.4 mm that are left to it sideways, of which 1.9 mm count: 37.8
+  // mm at least, the roof's nearest vertex 2 mm less.
   reportMeasure("coracoid tip to acromion", toTip, "mm", {31, 4, "Siriraj 2004"},
                 "no choice of landmarks within 4 mm meets it and the subacromial gap");
 }

@@ -68,8 +68,8 @@ TEST(Cuff, tendonsAndFootprintsMeasureAsPublished) {
     expectMeasure(name + ", footprint along the cartilage", size.size[0], "mm",
                   tenth(row.length, "Curtis 2006"));
     expectMeasure(name + ", footprint away from it", size.size[1], "mm", tenth(row.width, "Curtis 2006"));
-    // The source gives lengths and widths, no areas: between an ellipse and a rectangle of its size, each length within
-    // a tenth.
+    // The source gives lengths and widths, no areas: between an ellipse and a rectangle of its size, each
+    // length within a tenth.
     const double rectangle = row.length * row.width, ellipse = 3.14159265 / 4 * rectangle;
     const double least = 0.81 * ellipse, most = 1.21 * rectangle;
     expectMeasure(name + ", footprint area", areaOf(footprint), "mm2",
@@ -185,8 +185,8 @@ TEST(Biceps, measuresAsPublished) {
       girth += (cut.points[k + 1] - cut.points[k]).norm();
     length += areaOf(*part) / girth;
   }
-  // From the origin on the supraglenoid tubercle to where the muscle begins, below the groove. The length of Khan 2020
-  // (81 ± 19 mm) is not told from where to where.
+  // From the origin on the supraglenoid tubercle to where the muscle begins, below the groove. The length of
+  // Khan 2020 (81 ± 19 mm) is not told from where to where.
   expectMeasure("biceps tendon with its root, length", length, "mm",
                 tenth(138, "Hussain 2015, origin to musculotendinous junction"));
 }
@@ -234,16 +234,18 @@ TEST(Labrum, measuresAsPublished) {
   }
   expectMeasure("labrum, height of its section", height, "mm", {3.5, 0.5, "anatomy.md 2.3: 3 to 4"});
   expectMeasure("labrum, width of its section", width, "mm", {4.5, 0.5, "anatomy.md 2.3: 4 to 5"});
-  // The source looks at the socket's surface in the supero-inferior plane: over the bone lie 1.7 to 2.5 mm of cartilage
-  // (anatomy.md 1), which the joint has as room between the bones.
+  // The source looks at the socket's surface in the supero-inferior plane: over the bone lie 1.7 to 2.5 mm of
+  // cartilage (anatomy.md 1), which the joint has as room between the bones.
   constexpr double kCartilage = 2.1;
   const double edge = 0.5 * (edges[3] + edges[9] - 2 * centre).dot(normal);
   expectMeasure("depth of the socket with the labrum", edge - kCartilage, "mm",
                 {7.1, 0.9, "PMC12925909, supero-inferior plane"});
   // The circle through the free edge above and below and the deepest point of the cartilage between them.
-  const Vec3 deepest = centre + kCartilage * normal, toUpper = edges[3] - deepest, toLower = edges[9] - deepest;
+  const Vec3 deepest = centre + kCartilage * normal, toUpper = edges[3] - deepest,
+             toLower = edges[9] - deepest;
   const double chord = (toUpper - toLower).norm(), twiceArea = toUpper.cross(toLower).norm();
-  expectMeasure("radius of the socket with the labrum", toUpper.norm() * toLower.norm() * chord / (2 * twiceArea), "mm",
+  expectMeasure("radius of the socket with the labrum",
+                toUpper.norm() * toLower.norm() * chord / (2 * twiceArea), "mm",
                 {25.0, 2.1, "PMC12925909, supero-inferior plane"});
 }
 
