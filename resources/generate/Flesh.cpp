@@ -24,7 +24,7 @@ void evenOut(TriMesh& mesh, const Flesh& flesh) {
     const std::vector<Vec3> means = neighbourMeans(mesh);
     for (int i = 0; i < int(mesh.vertices.size()); ++i) {
       const double place = i < rings ? double(i / flesh.around) / (flesh.along - 1) : double(i - rings);
-      const double weight = 1 - 0.75 * std::clamp((place - flesh.evenTo) / 0.2, 0.0, 1.0);
+      const double weight = 1 - 0.82 * std::clamp((place - flesh.evenTo) / 0.2, 0.0, 1.0);
       mesh.vertices[i] += 0.5 * weight * (means[i] - mesh.vertices[i]);
     }
   }

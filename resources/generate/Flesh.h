@@ -16,7 +16,7 @@ struct Flesh {
   Tube tube;  ///< settles some way into the bone where the body should be bonded
   int around = 48, along = 72;
   int evenings = 14;  ///< rounds of moving each vertex toward its neighbours
-  /// Share of the way from which they fade to a quarter over the next fifth: evened too long, a tendon's end would draw
+  /// Share of the way from which they fade to a sixth over the next fifth: evened too long, a tendon's end would draw
   /// back from its footprint.
   double evenTo = 1;
   std::vector<Obstacle> obstacles;

@@ -83,7 +83,13 @@ TriMesh sweep(const Tube& tube, int around, int along) {
     const Vec3 up = width.cross(tangent).normalized();
     Vec3 near = st.base + st.halfWidth * scale * x * width;
     const Vec3 out = ((1 - st.radial) * up + st.radial * near.normalized()).normalized();
-    if (tube.bone) near = settle(tube.bone, near, out, st.clearance, st.reach);
+    if (tube.bone) {
+      // Who would fall almost as far as he may falls less, or neighbours of whom one finds bone and one does not would tear.
+      const Vec3 settled = settle(tube.bone, near, out, st.clearance, st.reach);
+      const double fall = (near - settled).dot(out) / std::max(st.reach, 1e-9);
+      const double kept = std::clamp((1 - fall) / 0.25, 0.0, 1.0);
+      near += kept * kept * (3 - 2 * kept) * (settled - near);
+    }
     // Both sides meet on the rim, at mid thickness or, with a seat, nearer the bone, and are fully apart in the middle.
     const double rim = 0.5 * (1 - st.seat);
     const double height = st.thickness * (rim + (y < 0 ? rim : 1 - rim) * scale * y);
