@@ -19,6 +19,7 @@ Wish* wishNamed(Effects& effects, const std::string& name) {
   if (name == "contact") return &effects.contact;
   if (name == "selfContact") return &effects.selfContact;
   if (name == "bursa") return &effects.bursa;
+  if (name == "dent") return &effects.dent;
   if (name == "friction") return &effects.friction;
   if (name == "damping") return &effects.damping;
   if (name == "haptics") return &effects.haptics;

@@ -124,7 +124,7 @@ QString Sentences::effect(const QString& word) {
   if (word == u"friction") return tr("Friction");
   if (word == u"damping") return tr("Damping");
   if (word == u"haptics") return tr("Haptics");
-  if (word == u"bursa") return tr("Bursa");
+  if (word == u"dent") return tr("Dents under a tip");
   if (word == u"skin") return tr("Skin layer");
   return word;
 }

@@ -44,6 +44,7 @@ const std::vector<EffectStages>& effectStages() {
       {"damping", {}, "assemble"},
       {"friction", {Stage::Friction}, ""},
       {"bursa", {Stage::Bursa}, ""},
+      {"dent", {Stage::Dent}, ""},
       {"selfContact", {}, "collide"},
   };
   return table;

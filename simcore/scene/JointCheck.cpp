@@ -131,6 +131,20 @@ Result<Done> checkVolume(const Part& part, const At& at) {
   return good;
 }
 
+Result<Done> checkDents(const Part& part, const At& at) {
+  if (!part.dents) return Done{};
+  if (part.kind == PartKind::Rigid) return at.fail(Fault::BadReference, {"dents"});
+  const DentTable& dents = *part.dents;
+  if (!(dents.radius > 0)) return at.in("radius").fail(Fault::OutOfRange, {std::to_string(dents.radius), "0", "1"});
+  for (std::size_t i = 0; i < dents.samples.size(); ++i) {
+    const DentSample& sample = dents.samples[i];
+    if (!sample.at_W.allFinite()) return at.in("samples", i).fail(Fault::NotFinite);
+    for (const double value : {sample.compliance, sample.depthMost})
+      if (!(value >= 0)) return at.in("samples", i).fail(Fault::OutOfRange, {std::to_string(value), "0", "1000"});
+  }
+  return Done{};
+}
+
 Result<Done> checkRegionRange(const Part& part, const Region& region, const At& at) {
   const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *part.visual : *part.collision;
   const auto size = static_cast<long long>(mesh.triangles.size());
@@ -189,6 +203,7 @@ Result<Done> checkMeshes(const Joint& joint, const std::string& file) {
     if (const auto good = checkSurface(part.visual, at.in("visual")); !good) return good;
     if (const auto good = checkSurface(part.collision, at.in("collision")); !good) return good;
     if (const auto good = checkVolume(part, at.in("volume")); !good) return good;
+    if (const auto good = checkDents(part, at.in("dents")); !good) return good;
     for (std::size_t r = 0; r < part.regions.size(); ++r)
       if (const auto good = checkRegionRange(part, part.regions[r], at.in("regions", r)); !good) return good;
   }

@@ -46,6 +46,7 @@ JsonValue fromPart(const Part& part) {
   json.set("materials", listOf(part.materials, fromMaterialUse));
   json.set("regions", listOf(part.regions, fromRegion));
   json.set("landmarks", listOf(part.landmarks, fromLandmark));
+  if (part.dents) json.set("dents", fromDents(*part.dents));
   return json;
 }
 
@@ -61,6 +62,7 @@ Part toPart(const JsonValue& json) {
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
   part.landmarks = vectorOf(json["landmarks"], toLandmark);
+  if (const JsonValue* dents = json.find("dents")) part.dents = std::make_shared<const DentTable>(toDents(*dents));
   return part;
 }
 
@@ -375,6 +377,35 @@ std::string startHash(const Joint& unsorted) {
     part.volume = from.volume;
     only.parts.push_back(std::move(part));
   }
+  return jointHash(only);
+}
+
+std::string dentBasis(const Joint& joint, const Part& from) {
+  Joint only;
+  Part part;
+  part.kind = from.kind;
+  part.visual = from.visual;
+  part.collision = from.collision;
+  part.volume = from.volume;
+  part.materials = from.materials;
+  part.regions = from.regions;
+  for (Region& region : part.regions) region.name = region.kind = {};
+  for (const MaterialUse& use : from.materials) {
+    const int index = findMaterial(joint, use.material);
+    if (index < 0) continue;
+    Material material;
+    material.id = use.material;
+    material.youngsModulus = joint.materials[index].youngsModulus;
+    material.poissonRatio = joint.materials[index].poissonRatio;
+    only.materials.push_back(material);
+  }
+  for (const Coupling& coupling : joint.couplings) {
+    if (coupling.partA != from.id && coupling.partB != from.id) continue;
+    Coupling held = coupling;
+    held.damping = 0;
+    only.couplings.push_back(held);
+  }
+  only.parts.push_back(std::move(part));
   return jointHash(only);
 }
 

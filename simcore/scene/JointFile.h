@@ -33,4 +33,8 @@ std::string jointHash(const Joint& joint);
 /// joint's proof of its start holds while this is what the proof says.
 std::string startHash(const Joint& joint);
 
+/// The same over what decides how a part gives under a tip: its meshes, the elasticity of its materials, its regions
+/// and its couplings. What Part::dents holds is right while this is its basis.
+std::string dentBasis(const Joint& joint, const Part& part);
+
 }  // namespace glenoid

@@ -7,6 +7,7 @@
 
 #include "simcore/mesh/TetMesh.h"
 #include "simcore/mesh/TriMesh.h"
+#include "simcore/scene/DentTable.h"
 
 namespace glenoid {
 
@@ -61,6 +62,7 @@ struct Part {
   std::shared_ptr<const TriMesh> collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft parts only, else null
   double cellSize = 0;                    ///< edge of the embedding cells the volume was cut from, m; 0 if rigid
+  std::shared_ptr<const DentTable> dents; ///< what the volume is too coarse for; null: not computed
 };
 
 }  // namespace glenoid

@@ -22,6 +22,7 @@ struct Effects {
   Wish friction = Wish::Auto;
   Wish damping = Wish::Auto;
   Wish bursa = Wish::Auto;
+  Wish dent = Wish::Auto;
   Wish haptics = Wish::Auto;
   bool operator==(const Effects&) const = default;
 };

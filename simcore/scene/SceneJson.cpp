@@ -194,6 +194,29 @@ BursaSide toSide(const JsonValue& json) {
 }
 }  // namespace
 
+JsonValue fromDents(const DentTable& dents) {
+  JsonValue json = JsonValue::object();
+  json.set("radius", dents.radius);
+  json.set("samples", listOf(dents.samples, [](const DentSample& sample) {
+             JsonValue row = fromVec3(sample.at_W);
+             row.append(sample.compliance);
+             row.append(sample.depthMost);
+             return row;
+           }));
+  json.set("basis", dents.basis);
+  return json;
+}
+
+DentTable toDents(const JsonValue& json) {
+  DentTable dents;
+  dents.radius = json["radius"].number();
+  dents.samples = vectorOf(json["samples"], [](const JsonValue& row) {
+    return DentSample{Vec3(row[0].number(), row[1].number(), row[2].number()), row[3].number(), row[4].number()};
+  });
+  dents.basis = json["basis"].text();
+  return dents;
+}
+
 JsonValue fromBursa(const Bursa& bursa) {
   JsonValue json = JsonValue::object();
   json.set("id", bursa.id);

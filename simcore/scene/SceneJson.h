@@ -38,6 +38,8 @@ JsonValue fromBursa(const Bursa& bursa);
 Bursa toBursa(const JsonValue& json);
 JsonValue fromCage(const Cage& cage);
 Cage toCage(const JsonValue& json);
+JsonValue fromDents(const DentTable& dents);
+DentTable toDents(const JsonValue& json);
 JsonValue fromProof(const StartProof& proof);
 StartProof toProof(const JsonValue& json);
 JsonValue fromProvenance(const Provenance& provenance);

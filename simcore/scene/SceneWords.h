@@ -51,13 +51,14 @@ struct EffectWord {
   const char* word;
   Wish Effects::*wish;
 };
-inline constexpr std::array<EffectWord, 8> kEffects{{{"gravity", &Effects::gravity},
+inline constexpr std::array<EffectWord, 9> kEffects{{{"gravity", &Effects::gravity},
                                                      {"couplings", &Effects::couplings},
                                                      {"contact", &Effects::contact},
                                                      {"selfContact", &Effects::selfContact},
                                                      {"friction", &Effects::friction},
                                                      {"damping", &Effects::damping},
                                                      {"bursa", &Effects::bursa},
+                                                     {"dent", &Effects::dent},
                                                      {"haptics", &Effects::haptics}}};
 
 }  // namespace glenoid::scene_words

@@ -193,10 +193,14 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   std::vector<FilmModel> films;
   if (scenario.effects.contact != Wish::Off && scenario.effects.bursa != Wish::Off) films = compileFilms(*model);
   grounds.bursa = !films.empty();
+  std::vector<DentModel> dents;
+  if (scenario.effects.contact != Wish::Off && scenario.effects.dent != Wish::Off) dents = compileDents(*model);
+  grounds.dent = !dents.empty();
   model->effects = planEffects(scenario.effects, grounds);
   inside->contact = model->effectOn("contact");
   inside->friction = inside->contact && model->effectOn("friction");
   if (inside->contact && model->effectOn("bursa")) inside->films = std::move(films);
+  if (inside->contact && model->effectOn("dent")) inside->dents = std::move(dents);
   if (!inside->friction)
     for (SceneObject& object : model->objects) object.friction = {};
   inside->settings.dt = scenario.dt;

@@ -26,4 +26,8 @@ void compileContacts(Model& model);
 /// The joint's bursae on the collision surfaces; after compileContacts. One whose sides have nothing is left out.
 std::vector<FilmModel> compileFilms(const Model& model);
 
+/// What each object gives under a tool beyond its tetrahedra; empty where no part has such a table that still holds, or
+/// the scene no tool.
+std::vector<DentModel> compileDents(const Model& model);
+
 }  // namespace glenoid

@@ -20,6 +20,7 @@ void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
   for (const int c : island.contacts) {
     StepContact& contact = work.contacts[c];
     contact.speed = (contact.chosen ? contact.compliance * contact.impulse : 0.0) - contact.target;
+    if (contact.dent >= 0) contact.speed = dentSpeed(work, contact) - contact.target;
   }
   for (const int index : island.couplingIslands) {
     const IslandWork& part = work.islands[index];
@@ -159,8 +160,20 @@ int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& isl
 }
 
 void addCompliance(Stepper::Work& work) {
-  for (std::size_t k = 0; k < work.unknowns.size(); ++k)
-    work.W(work.unknowns[k].row, work.unknowns[k].row) += work.contacts[work.unknownContacts[k]].compliance;
+  for (std::size_t k = 0; k < work.unknowns.size(); ++k) {
+    const StepContact& contact = work.contacts[work.unknownContacts[k]];
+    const int row = work.unknowns[k].row;
+    work.W(row, row) += contact.compliance;
+    if (contact.dent < 0) continue;
+    const DentContact& own = work.dents[contact.dent];
+    for (std::size_t l = k + 1; l < work.unknowns.size(); ++l) {
+      const int dent = work.contacts[work.unknownContacts[l]].dent;
+      if (dent < 0 || work.dents[dent].group != own.group) continue;
+      const double shared = dentCompliance(work, own, work.dents[dent]);
+      work.W(row, work.unknowns[l].row) += shared;
+      work.W(work.unknowns[l].row, row) += shared;
+    }
+  }
 }
 
 LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits) {

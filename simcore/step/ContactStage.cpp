@@ -166,12 +166,13 @@ void showContacts(Stepper::Work& work) {
     };
     view.point_W = 0.5 * (along(near.a, contact.objectA) + along(near.b, contact.objectB));
     view.film = contact.film;
-    if (view.force > 0 && !contact.film) ++report.active;
+    if (view.force > 0 && !contact.film && !contact.bed) ++report.active;
     const Vec3 force = view.force * near.normal_W + view.friction_W;
     const SceneObject &a = work.model->objects[contact.objectA], &b = work.model->objects[contact.objectB];
     if (a.tool) report.toolForces[a.toolIndex] += force;
     if (b.tool) report.toolForces[b.toolIndex] -= force;
   }
+  showDents(work);
 }
 
 }  // namespace glenoid

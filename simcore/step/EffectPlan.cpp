@@ -25,6 +25,7 @@ std::vector<EffectPlan> planEffects(const Effects& wish, const EffectGrounds& gr
           plan("friction", wish.friction, grounds.friction),
           plan("damping", wish.damping, grounds.damping),
           plan("bursa", wish.bursa, grounds.bursa),
+          plan("dent", wish.dent, grounds.dent),
           notBuilt("haptics", wish.haptics)};
 }
 

@@ -49,6 +49,14 @@ struct FilmModel {
   std::vector<std::vector<char>> roof;
 };
 
+/// What a soft object gives under a tool beyond its tetrahedra.
+struct DentModel {
+  std::vector<Vec3> at_W;            ///< places on its surface at rest; empty: it gives nothing more
+  std::vector<double> logCompliance; ///< of m/N
+  std::vector<double> depthMost;     ///< m
+  double radius = 0;                 ///< m, of a tip's patch
+};
+
 /// The numerical inside of a model, private to step/. Constant; threads share it.
 struct StepModel {
   std::vector<std::unique_ptr<ContactObject>> objects;
@@ -57,6 +65,7 @@ struct StepModel {
   std::vector<CouplingIslandModel> islands;
   StepSettings settings;
   std::vector<FilmModel> films;      ///< empty where the effect is off
+  std::vector<DentModel> dents;      ///< one for each object; empty where the effect is off
   bool contact = false, friction = false;
 };
 

@@ -64,7 +64,9 @@ struct StepContact {
   bool film = false;                     ///< of a bursa
   MaterialPoint a, b;
   double target = 0;                     ///< c of J v ≥ c, m/s
-  double compliance = 0;                 ///< C of J v + C λ ≥ c, 1/kg; above zero for a film
+  double compliance = 0;                 ///< C of J v + C λ ≥ c, 1/kg; above zero for a film or a dent
+  int dent = -1;                         ///< its place in Work::dents; −1: the surface is as hard as its tetrahedra
+  bool bed = false;                      ///< the bottom of a dent, beside the contact that makes it
   double speed = 0;                      ///< J v + C λ − c, m/s
   double coefficient = 0;                ///< Coulomb's; 0 where friction is off
   std::array<Vec3, 2> tangent_W;         ///< set where friction is on
@@ -72,6 +74,14 @@ struct StepContact {
   Vec3 friction_W = Vec3::Zero();        ///< tangential impulse on a, N·s, likewise
   bool chosen = false;                   ///< an unknown of the problem
   int unknown = -1;                      ///< its place in Work::unknowns
+};
+
+/// A contact of a tool on a soft part that gives under it.
+struct DentContact {
+  int contact = 0, group = 0;            ///< the same group: the same tool on the same part
+  double rootCompliance = 0;             ///< √(m/N)
+  double radius = 0;                     ///< m, over which it shares its dent with others
+  Vec3 point_W = Vec3::Zero();           ///< on the part
 };
 
 /// Adds thread CPU time to a stage of the report while it lives.
@@ -126,6 +136,7 @@ struct Stepper::Work {
   // Contact.
   std::vector<StepContact> contacts;
   std::vector<std::array<int, 2>> sides;
+  std::vector<DentContact> dents;         ///< ascending by contact
   std::unique_ptr<ContactIslandBuilder> islandBuilder;
   std::vector<ContactUnknowns> unknowns;  ///< of the contact island at hand
   std::vector<int> unknownContacts;       ///< their contacts
@@ -160,6 +171,14 @@ bool solveUnconstrained(Stepper::Work& work, const State& state);
 void buildContacts(Stepper::Work& work, const State& state);
 /// And what feels the film of a bursa; after buildContacts.
 void buildFilmContacts(Stepper::Work& work, const State& state);
+/// Contacts of tools on soft parts that give under them; after buildContacts, before films.
+void buildDents(Stepper::Work& work, const State& state);
+/// What the force of one such contact sinks the place of another, per impulse, 1/kg.
+double dentCompliance(const Stepper::Work& work, const DentContact& a, const DentContact& b);
+/// C λ of a contact with a dent over all that share it, m/s.
+double dentSpeed(const Stepper::Work& work, const StepContact& contact);
+/// Dents of the report.
+void showDents(Stepper::Work& work);
 /// The row of contact c along `direction` (on a, against it on b) for one or two coupling islands; false where
 /// nothing that it touches can move.
 bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
@@ -168,7 +187,7 @@ bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3
 void solveConstrained(Stepper::Work& work, const State& state);
 /// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
 int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
-/// C of the chosen contacts onto W's diagonal.
+/// C of the chosen contacts onto W: its diagonal, and what shares a dent.
 void addCompliance(Stepper::Work& work);
 /// Solves for λ with the n unknowns in W and d.
 LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);

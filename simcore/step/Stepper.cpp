@@ -21,6 +21,7 @@ const char* stageName(Stage stage) {
     case Stage::Contact: return "contact";
     case Stage::Friction: return "friction";
     case Stage::Bursa: return "bursa";
+    case Stage::Dent: return "dent";
     case Stage::Integrate: return "integrate";
     case Stage::Count: break;
   }
@@ -171,7 +172,7 @@ void integrate(Stepper::Work& work, State& state) {
   state.impulses.clear();
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
-      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0)
+      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0 && !contact.bed)
         state.impulses.push_back({contact.near->key, contact.impulse, contact.friction_W});
   for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
 }
@@ -184,6 +185,7 @@ void solveContacts(Stepper::Work& work, const State& state) {
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
   buildContacts(work, state);
+  buildDents(work, state);
   buildFilmContacts(work, state);
   solveConstrained(work, state);
 }
@@ -241,6 +243,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   work.workerMs = 0;
   report.paper = {};
   report.contactViews.clear();
+  report.dents.clear();
   for (Vec3& force : report.toolForces) force.setZero();
 
   takeHands(work, inputs, state);

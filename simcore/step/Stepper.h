@@ -26,8 +26,18 @@ struct ContactView {
   bool film = false;             ///< the soft pressure of a bursa; its gap may be as wide as the bursa is thick
 };
 
+/// How far the tip of a tool lies in the surface of a soft part beyond what the part's tetrahedra gave: the surface there
+/// is to be drawn and counted that much lower, less with the distance as exp(−r²/(2 radius²)).
+struct DentView {
+  int object = -1, tool = -1;    ///< objects
+  Vec3 point_W = Vec3::Zero();   ///< middle of the pressed place on the surface, m
+  Vec3 normal_W = Vec3::UnitY(); ///< unit, out of the part
+  double depth = 0;              ///< m, > 0
+  double radius = 0;             ///< m
+};
+
 /// The stages whose time is taken.
-enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Bursa, Integrate, Count };
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Bursa, Dent, Integrate, Count };
 inline constexpr int kStageCount = static_cast<int>(Stage::Count);
 const char* stageName(Stage stage);
 
@@ -58,6 +68,7 @@ struct StepReport {
   double stepCpuMs = 0, stepWallMs = 0;
   PaperReport paper;
   std::vector<ContactView> contactViews;
+  std::vector<DentView> dents;    ///< one for each tool that presses a soft part; empty where the effect is off
   std::vector<Vec3> toolForces;   ///< contact force on each tool, N, W
 };
 

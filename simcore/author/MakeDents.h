@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "simcore/author/StaticPart.h"
+
+namespace glenoid {
+
+/// Cells fine enough for a tip of this radius on this part: six across the patch, and some thousand in the whole part.
+GradedCells fineCells(const Part& part, double radius);
+
+/// What each soft part of a joint gives under the tip of a tool beyond its own tetrahedra, into Part::dents.
+/// At places spread over a part's visual surface a fine static solve of the part alone says how far a patch of
+/// `radius` gives for each newton (StaticPart); what the same solve with the part's own tetrahedra gives is
+/// subtracted. A second or two a place. Deterministic.
+/// Fails as StaticPart and embedGraded do, naming the part.
+struct DentWishes {
+  double radius = 1.5e-3;  ///< m: the tip of a probe
+  int places = 40;         ///< on each part
+};
+Result<Done> makeDents(Joint& joint, const DentWishes& wishes = {});
+
+}  // namespace glenoid
