@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -8,6 +9,8 @@
 #include "app/commands/Console.h"
 #include "app/commands/JointReport.h"
 #include "app/commands/OpenScene.h"
+#include "simcore/author/MakeDents.h"
+#include "simcore/scene/JointFile.h"
 
 namespace glenoid {
 namespace {
@@ -35,6 +38,31 @@ Result<Done> check(const std::string& word, bool json) {
   return Error{Fault::CheckFailed, {word, "", "", {}}, {"the joint has problems, listed above"}, "joint check"};
 }
 
+Result<Done> dents(const std::string& word, const std::string& out) {
+  Result<Joint> joint = openJoint(word);
+  if (!joint) return joint.error();
+  {
+    ProgressLine progress("Pressing " + joint->name);
+    const auto made = makeDents(*joint, {}, [&](const std::string&, double done) {
+      progress.show(done);
+      return true;
+    });
+    if (!made) return made.error();
+  }
+  if (const auto saved = saveJoint(*joint, out); !saved) return saved.error();
+  for (const Part& part : joint->parts) {
+    if (!part.dents) continue;
+    double least = HUGE_VAL, most = 0;
+    for (const DentSample& sample : part.dents->samples) {
+      least = std::min(least, sample.compliance);
+      most = std::max(most, sample.compliance);
+    }
+    std::printf("%3d  %-24s gives %.3f to %.3f mm/N more under a tip of %.1f mm than its tetrahedra\n", part.number, part.id.c_str(),
+                1e3 * least, 1e3 * most, 1e3 * part.dents->radius);
+  }
+  return Done{};
+}
+
 }  // namespace
 
 void addJointCommand(CLI::App& app, int& status) {
@@ -55,6 +83,11 @@ void addJointCommand(CLI::App& app, int& status) {
   }
   infoCommand->callback([=] { finish(info(wishes->joint, wishes->json)); });
   checkCommand->callback([=] { finish(check(wishes->joint, wishes->json)); });
+
+  CLI::App* dentsCommand = command->add_subcommand("dents", "Press every soft part finely and keep how much more it gives than its tetrahedra");
+  dentsCommand->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
+  dentsCommand->add_option("--out", wishes->out, "The .joint folder to write; may be the same")->required();
+  dentsCommand->callback([=] { finish(dents(wishes->joint, wishes->out)); });
 
   CLI::App* buildCommand = command->add_subcommand("build", "Simplify, embed and bind surfaces as a recipe says");
   buildCommand->add_option("RECIPE", wishes->recipe, "A recipe, JSON")->required();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/author/MakeDents.h"
 
+#include <atomic>
 #include <cmath>
+#include <optional>
+#include <thread>
 
 #include "simcore/scene/JointFile.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -12,6 +15,7 @@ namespace {
 
 constexpr double kElements = 4000;   ///< cells of the whole part, about
 constexpr double kDepthMost = 2.5e-3;  ///< m: the search for contacts sees no deeper than 4 mm
+constexpr double kForceAtBottom = 2;  ///< N: what gives so much more that the bottom stops it earlier resists evenly up to there
 constexpr double kThicknessShare = 0.4;  ///< a tip past the middle of a band would come out on its other side
 
 Error inPart(Error error, const std::string& part) {
@@ -32,11 +36,12 @@ std::vector<int> spread(const std::vector<Vec3>& points, int count) {
   return taken;
 }
 
-/// Tissue under a place of the surface, along the normal into the part, m.
+/// Tissue under a place of the surface, along the normal into the part, m; 0 at a rim, which has none.
 double thicknessAt(const TriangleTree& surface, const TipPatch& patch) {
-  constexpr double kBelow = 1e-5;
-  const auto hit = surface.cast(patch.middle_W - kBelow * patch.normal_W, -patch.normal_W);
-  return hit ? kBelow + hit->distance : kBelow;
+  constexpr double kBelow = 1e-4;
+  const Vec3 from = patch.middle_W - kBelow * patch.normal_W;
+  const auto hit = surface.inside(from) ? surface.cast(from, -patch.normal_W) : std::nullopt;
+  return hit ? kBelow + hit->distance : 0;
 }
 
 }  // namespace
@@ -49,26 +54,74 @@ GradedCells fineCells(const Part& part, double radius) {
   return cells;
 }
 
-Result<Done> makeDents(Joint& joint, const DentWishes& wishes) {
+Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
+  struct Spot {
+    int part, vertex;
+    Result<DentSample> sample = Error{};
+  };
+  std::vector<Spot> spots;
+  std::vector<std::optional<StaticPart>> coarse(joint.parts.size());
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
-    Part& part = joint.parts[index];
-    if (part.kind != PartKind::Soft) continue;
-    const auto coarse = StaticPart::make(joint, static_cast<int>(index), part.volume, TetFilling::Partial);
-    if (!coarse) return inPart(coarse.error(), part.id);
-    const TriangleTree surface(*part.visual);
+    const Part& part = joint.parts[index];
+    if (part.kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != part.id)) continue;
+    auto own = StaticPart::make(joint, static_cast<int>(index), part.volume, TetFilling::Partial);
+    if (!own) return inPart(own.error(), part.id);
+    coarse[index].emplace(std::move(*own));
+    for (const int vertex : spread(part.visual->vertices, wishes.places)) spots.push_back({static_cast<int>(index), vertex});
+  }
+  const auto fill = [&](Spot& spot) {
+    const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
+    const TipPatch patch = tipPatchAt(*part.visual, part.visual->vertices[static_cast<std::size_t>(spot.vertex)], wishes.radius);
+    auto mesh = embedGraded(part, patch, fineCells(part, wishes.radius));
+    if (!mesh) {
+      spot.sample = inPart(mesh.error(), part.id);
+      return;
+    }
+    const auto fine = StaticPart::make(joint, spot.part, std::make_shared<const TetMesh>(std::move(*mesh)), TetFilling::Whole);
+    if (!fine) {
+      spot.sample = inPart(fine.error(), part.id);
+      return;
+    }
+    const double more = std::max(0.0, fine->compliance(patch) - coarse[static_cast<std::size_t>(spot.part)]->compliance(patch));
+    const double thick = thicknessAt(TriangleTree(*part.visual), patch);
+    spot.sample = DentSample{patch.middle_W, more, std::min(kDepthMost, kThicknessShare * thick)};
+  };
+  // Every place is a problem of its own, so any number of threads gives the same answer.
+  std::atomic<std::size_t> next = 0, done = 0;
+  std::atomic<bool> cancelled = false;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) fill(spots[i]), ++done;
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (unsigned n = 1; n < std::thread::hardware_concurrency(); ++n) helpers.emplace_back(work);
+    for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) {
+      fill(spots[i]);
+      ++done;
+      const std::string& id = joint.parts[static_cast<std::size_t>(spots[i].part)].id;
+      if (progress && !progress(id, static_cast<double>(done) / static_cast<double>(spots.size()))) cancelled = true;
+    }
+  }
+  if (cancelled) return Error{Fault::Cancelled, {}, {}, "dents"};
+  for (const Spot& spot : spots)
+    if (!spot.sample) return spot.sample.error();
+  for (std::size_t index = 0; index < joint.parts.size(); ++index) {
+    if (!coarse[index]) continue;
     DentTable table;
     table.radius = wishes.radius;
-    for (const int vertex : spread(part.visual->vertices, wishes.places)) {
-      const TipPatch patch = tipPatchAt(*part.visual, part.visual->vertices[static_cast<std::size_t>(vertex)], wishes.radius);
-      auto mesh = embedGraded(part, patch, fineCells(part, wishes.radius));
-      if (!mesh) return inPart(mesh.error(), part.id);
-      const auto fine = StaticPart::make(joint, static_cast<int>(index), std::make_shared<const TetMesh>(std::move(*mesh)), TetFilling::Whole);
-      if (!fine) return inPart(fine.error(), part.id);
-      const double more = std::max(0.0, fine->compliance(patch) - coarse->compliance(patch));
-      table.samples.push_back({patch.middle_W, more, std::min(kDepthMost, kThicknessShare * thicknessAt(surface, patch))});
+    std::vector<double> depths;
+    for (const Spot& spot : spots) {
+      if (spot.part != static_cast<int>(index)) continue;
+      table.samples.push_back(*spot.sample);
+      if (spot.sample->depthMost > 0) depths.push_back(spot.sample->depthMost);
     }
-    table.basis = dentBasis(joint, part);
-    part.dents = std::make_shared<const DentTable>(std::move(table));
+    std::sort(depths.begin(), depths.end());
+    for (DentSample& sample : table.samples) {
+      if (sample.depthMost == 0 && !depths.empty()) sample.depthMost = depths[depths.size() / 2];
+      sample.compliance = std::min(sample.compliance, sample.depthMost / kForceAtBottom);
+    }
+    table.basis = dentBasis(joint, joint.parts[index]);
+    joint.parts[index].dents = std::make_shared<const DentTable>(std::move(table));
   }
   return Done{};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "simcore/author/BuildJoint.h"
 #include "simcore/author/StaticPart.h"
 
 namespace glenoid {
@@ -10,12 +11,14 @@ GradedCells fineCells(const Part& part, double radius);
 /// What each soft part of a joint gives under the tip of a tool beyond its own tetrahedra, into Part::dents.
 /// At places spread over a part's visual surface a fine static solve of the part alone says how far a patch of
 /// `radius` gives for each newton (StaticPart); what the same solve with the part's own tetrahedra gives is
-/// subtracted. A second or two a place. Deterministic.
-/// Fails as StaticPart and embedGraded do, naming the part.
+/// subtracted, and the bottom of a dent is the lesser of 2.5 mm and two fifths of the tissue below. A second or two a
+/// place, on all processors. Deterministic.
+/// Fails as StaticPart and embedGraded do, naming the part, and with Cancelled; the joint is then as it was.
 struct DentWishes {
   double radius = 1.5e-3;  ///< m: the tip of a probe
-  int places = 40;         ///< on each part
+  int places = 24;         ///< on each part
+  std::string part;        ///< only this one; empty: all that are soft
 };
-Result<Done> makeDents(Joint& joint, const DentWishes& wishes = {});
+Result<Done> makeDents(Joint& joint, const DentWishes& wishes = {}, const BuildProgress& progress = {});
 
 }  // namespace glenoid

@@ -91,16 +91,15 @@ void buildDents(Stepper::Work& work, const State& state) {
     const FeaturePoint& feature = softA ? contact.near->a : contact.near->b;
     const Softness softness = softnessAt(work.inside->dents[soft], along(feature, work.model->objects[soft].collision.mesh->vertices));
     const double gap = contact.near->gap;
-    if (gap + softness.depthMost < work.model->scenario.contactDistance) {
-      StepContact bed = contact;  // the hard bottom of the dent: the same row, so much lower
-      bed.bed = true;
-      bed.impulse = 0;
-      bed.friction_W.setZero();
-      bed.target = std::min(-(gap + softness.depthMost) / dt, fastest);
-      work.contacts.push_back(bed);
-      work.sides.push_back(work.sides[c]);
-      appendContactRow(work, state, static_cast<int>(work.contacts.size()) - 1, bed.near->normal_W, &IslandWork::rows);
-    }
+    // The hard bottom of the dent: the same row, so much lower. It is there at any gap, for a tip may come fast.
+    StepContact bed = contact;
+    bed.bed = true;
+    bed.impulse = 0;
+    bed.friction_W.setZero();
+    bed.target = std::min(-(gap + softness.depthMost) / dt, fastest);
+    work.contacts.push_back(bed);
+    work.sides.push_back(work.sides[c]);
+    appendContactRow(work, state, static_cast<int>(work.contacts.size()) - 1, bed.near->normal_W, &IslandWork::rows);
     StepContact& dented = work.contacts[c];
     // As deep as the tool can press at all nothing has to be undone; beyond that as for any contact.
     const double forceMost = work.model->scenario.tools[work.model->objects[tool].toolIndex].forceMax;

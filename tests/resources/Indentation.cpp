@@ -72,6 +72,7 @@ Pressed pressWithTip(const Joint& whole, const std::string& id, const TipPatch& 
   tip.radius = patch.radius;
   tip.home.q_WB = Quat::FromTwoVectors(Vec3::UnitZ(), patch.normal_W);
   tip.home.p_WB = patch.middle_W + 3e-3 * patch.normal_W;
+  tip.stiffness = 8000;  // a hand that does not give way sideways
   tip.angularStiffness = 50;
   for (const Part& part : joint.parts) {
     if (part.id == id) continue;
@@ -91,7 +92,7 @@ Pressed pressWithTip(const Joint& whole, const std::string& id, const TipPatch& 
   const auto height = [&] { return (point.at(state) - patch.middle_W).dot(patch.normal_W); };
   for (int n = 0, calm = 0; n < 6000 && !pressed.settled; ++n) {
     // At most 5 mm/s, slower where the force is nearly there.
-    const double step = std::min(2.5e-5, 0.05 * (kForce - pressed.force) / tip.stiffness);
+    const double step = std::min(1e-5, 0.05 * (kForce - pressed.force) / tip.stiffness);
     pushed += step;
     inputs.hands[0].p_WB = tip.home.p_WB - pushed * patch.normal_W;
     const double before = height();
