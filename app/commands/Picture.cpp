@@ -50,7 +50,7 @@ Result<Done> readSize(const std::string& words, PictureWishes& wishes) {
 }
 
 Result<Done> drawPicture(const Model& model, const State& state, std::span<const ContactView> contacts,
-                         const PictureWishes& wishes) {
+                         const PictureWishes& wishes, std::span<const DentView> dents) {
   const Result<Sheet> sheet = sheetNamed(wishes.sheet);
   if (!sheet) return sheet.error();
   Layers layers;
@@ -59,6 +59,7 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     if (!chosen) return chosen.error();
     layers = std::move(*chosen);
   }
+  layers.dents.assign(dents.begin(), dents.end());
   Box3 box = sceneBounds(model, state.q);
   int only = -1;
   if (!wishes.part.empty()) {

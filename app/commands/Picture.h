@@ -25,6 +25,6 @@ Result<Done> readSize(const std::string& words, PictureWishes& wishes);
 /// Draws without any display and writes the file. Fails with UnknownId (camera, part), BadUsage (layers),
 /// NoGraphics, FileUnwritable.
 Result<Done> drawPicture(const Model& model, const State& state, std::span<const ContactView> contacts,
-                         const PictureWishes& wishes);
+                         const PictureWishes& wishes, std::span<const DentView> dents = {});
 
 }  // namespace glenoid

@@ -40,7 +40,7 @@ Result<Done> render(Wishes wishes) {
   };
   const Result<RunResult> result = runScenario(*model, options);
   if (!result) return result.error();
-  return drawPicture(**model, result->state, result->contacts, wishes.picture);
+  return drawPicture(**model, result->state, result->contacts, wishes.picture, result->dents);
 }
 
 }  // namespace

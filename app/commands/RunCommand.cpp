@@ -74,7 +74,7 @@ Result<Done> run(const Wishes& wishes) {
   if (!wishes.render.empty()) {
     PictureWishes picture;
     picture.out = wishes.render;
-    if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture); !drawn) return drawn.error();
+    if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);
   return Done{};

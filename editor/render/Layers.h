@@ -9,6 +9,7 @@
 
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
+#include "simcore/step/Stepper.h"
 
 namespace glenoid {
 
@@ -57,6 +58,7 @@ struct Layers {
   std::vector<ObjectLook> objects;  ///< by object index; missing entries: default
   std::vector<TriangleMark> marks;
   std::vector<Strokes> strokes;
+  std::vector<DentView> dents;      ///< of the step that led to the state shown: surfaces sink there
   std::map<std::string, std::string> names;  ///< for labels: what to write in place of a name of the model
 
   ObjectLook lookOf(int object) const {

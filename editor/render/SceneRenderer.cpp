@@ -190,7 +190,7 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   if (fits && layers.labels) labels = in.labelsFor(view, q, layers, target);
   if (fits) {
     in.updateBoxes(q);
-    in.evaluator.evaluate(q);
+    in.evaluator.evaluate(q, in.shownDents(layers.dents));
   }
   const Eye eye = in.eyeFor(view, layers, static_cast<double>(target.width) / target.height);
 
@@ -276,13 +276,27 @@ Box3 SceneRenderer::bounds(const VecX& q, const Layers& layers) const {
   return box;
 }
 
-SceneRenderer::Evaluated SceneRenderer::evaluated(int object, SurfaceKind kind, const VecX& q) {
+std::vector<ShownDent> SceneRenderer::Inside::shownDents(std::vector<DentView> dents) const {
+  std::stable_sort(dents.begin(), dents.end(), [](const DentView& a, const DentView& b) { return a.depth > b.depth; });
+  std::vector<ShownDent> shown;
+  for (const DentView& dent : dents) {
+    if (dent.object < 0 || dent.object >= static_cast<int>(scene.objects.size()) || !(dent.radius > 0)) continue;
+    if (shown.size() == StateEvaluator::kDentsMost) break;
+    ShownDent& one = shown.emplace_back();
+    one.vertices = scene.objects[static_cast<std::size_t>(dent.object)].visual.vertices;
+    one.place_W << dent.point_W.cast<float>(), static_cast<float>(dent.radius);
+    one.way_W = (-dent.depth * dent.normal_W).cast<float>();
+  }
+  return shown;
+}
+
+SceneRenderer::Evaluated SceneRenderer::evaluated(int object, SurfaceKind kind, const VecX& q, std::span<const DentView> dents) {
   Inside& in = *m_inside;
   Evaluated out;
   if (!in.fits(q) || object < 0 || object >= static_cast<int>(in.scene.objects.size())) return out;
   const SurfaceRanges& surface = in.scene.objects[object].surface(kind);
   if (!surface.present) return out;
-  in.evaluator.evaluate(q);
+  in.evaluator.evaluate(q, in.shownDents({dents.begin(), dents.end()}));
   const auto positions = in.evaluator.readPositions(surface.vertices),
              normals = in.evaluator.readNormals(surface.vertices);
   out.positions_W.resize(surface.meshVertices);

@@ -80,7 +80,7 @@ class SceneRenderer {
   struct Evaluated {
     std::vector<Eigen::Vector3f> positions_W, normals_W;  ///< normals: unit; mean of the parts at a crease
   };
-  Evaluated evaluated(int object, SurfaceKind surface, const VecX& q);
+  Evaluated evaluated(int object, SurfaceKind surface, const VecX& q, std::span<const DentView> dents = {});
 
  private:
   SceneRenderer();

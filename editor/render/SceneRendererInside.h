@@ -56,6 +56,8 @@ struct SceneRenderer::Inside {
 
   bool fits(const VecX& q) const { return q.size() == scene.qSize; }
   void updateBoxes(const VecX& q);
+  /// The deepest dents, as the evaluator takes them.
+  std::vector<ShownDent> shownDents(std::vector<DentView> dents) const;
   Eye eyeFor(const View& view, const Layers& layers, double aspect) const;
   std::vector<Shown> shownSurfaces(const Layers& layers) const;
 

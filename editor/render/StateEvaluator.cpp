@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/render/StateEvaluator.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace glenoid {
 namespace {
@@ -116,12 +118,22 @@ void StateEvaluator::setOpenness(const std::vector<float>& open) {
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void StateEvaluator::evaluate(const VecX& q) {
+void StateEvaluator::evaluate(const VecX& q, const std::vector<ShownDent>& dents) {
   if (m_vertexCount == 0) return;
   m_new.resize(q.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) m_new[i] = static_cast<float>(q[i]);
-  if (m_new == m_sent) return;
+  if (m_new == m_sent && dents == m_dents) return;
   m_sent.swap(m_new);
+  m_dents = dents;
+  m_positionPass.use();
+  const std::size_t count = std::min(dents.size(), kDentsMost);
+  m_positionPass.set("dentCount", static_cast<int>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string at = "[" + std::to_string(i) + "]";
+    m_positionPass.set(("dentRange" + at).c_str(), dents[i].vertices.first, dents[i].vertices.first + dents[i].vertices.count);
+    m_positionPass.set(("dentPlace" + at).c_str(), dents[i].place_W);
+    m_positionPass.set(("dentWay" + at).c_str(), dents[i].way_W);
+  }
   const auto bytes = static_cast<GLsizeiptr>(m_sent.size() * sizeof(float));
   glBindBuffer(GL_TEXTURE_BUFFER, m_q.id());
   glBufferData(GL_TEXTURE_BUFFER, bytes, nullptr,

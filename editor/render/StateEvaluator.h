@@ -7,6 +7,16 @@
 
 namespace glenoid {
 
+/// A dent as the GPU applies it to the vertices of one visual surface.
+struct ShownDent {
+  Range vertices;
+  Eigen::Vector4f place_W = Eigen::Vector4f::Zero();  ///< x y z, radius; m
+  Eigen::Vector3f way_W = Eigen::Vector3f::Zero();    ///< into the surface, as long as the dent is deep, m
+  bool operator==(const ShownDent& o) const {
+    return vertices.first == o.vertices.first && vertices.count == o.vertices.count && place_W == o.place_W && way_W == o.way_W;
+  }
+};
+
 /// Holds a scene's topology on the GPU and turns a state vector q into positions and normals there.
 /// Positions and normals are arrays of four floats by vertex of the SceneGeometry.
 class StateEvaluator {
@@ -20,8 +30,9 @@ class StateEvaluator {
   /// Share of open sky by vertex of the scene (see Occlusion); 1 everywhere until the first call.
   void setOpenness(const std::vector<float>& open);
 
-  /// Sends q and evaluates; nothing is done when q is what it was.
-  void evaluate(const VecX& q);
+  /// Sends q and evaluates; nothing is done when q and dents are what they were. Takes the first kDentsMost.
+  void evaluate(const VecX& q, const std::vector<ShownDent>& dents = {});
+  static constexpr std::size_t kDentsMost = 4;
 
   /// Vertex array with positions, normals and the scene's indices, as surface.vert reads them.
   unsigned surfaces() { return m_surfaces.id(); }
@@ -43,6 +54,7 @@ class StateEvaluator {
   GlTexture m_qTexture, m_positionTexture, m_neighbourTexture;
   GlVertexArray m_entityArray, m_ringArray, m_surfaces, m_points;
   std::vector<float> m_sent, m_new;  ///< q as last sent, and as it comes
+  std::vector<ShownDent> m_dents;     ///< as last evaluated
   int m_vertexCount = 0;
 };
 

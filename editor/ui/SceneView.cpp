@@ -85,6 +85,8 @@ Look SceneView::look() const {
 Layers SceneView::layers() const {
   if (!m_model) return {};
   Layers layers = m_display.layersFor(*m_model, m_selection);
+  const Snapshot& snapshot = m_link.snapshot();
+  if (!m_authoring || !m_authoring->stateFor(snapshot.model)) layers.dents = snapshot.report.dents;
   if (m_authoring) m_authoring->decorate(*m_model, viewport(), layers);
   return layers;
 }

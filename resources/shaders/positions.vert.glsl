@@ -5,6 +5,12 @@
 layout(location = 0) in ivec4 node;
 layout(location = 1) in vec4 weight;
 uniform samplerBuffer q;
+// Dents: the vertices [range.x, range.y) of a visual surface sink by `way`, less with the distance r from `place` as
+// exp(-r²/(2 place.w²)).
+uniform int dentCount;
+uniform ivec2 dentRange[4];
+uniform vec4 dentPlace[4];
+uniform vec3 dentWay[4];
 out vec4 position;
 
 vec3 three(int at) {
@@ -22,6 +28,11 @@ void main() {
     p += weight.y * three(node.y);
     p += weight.z * three(node.z);
     p += weight.w * three(node.w);
+    for (int i = 0; i < dentCount; ++i) {
+      if (gl_VertexID < dentRange[i].x || gl_VertexID >= dentRange[i].y) continue;
+      vec3 off = (p - dentPlace[i].xyz) / dentPlace[i].w;
+      p += exp(-0.5 * dot(off, off)) * dentWay[i];
+    }
     position = vec4(p, 1.0);
   }
 }

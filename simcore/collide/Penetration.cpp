@@ -111,6 +111,7 @@ struct PenetrationCheck::Work {
   std::vector<char> used, inside;
   std::array<std::vector<Crossing>, 2> crossings;
   Penetration worst;
+  std::span<const double> allowed;
 
   void pair(int index);
   void probe(int pair, const Body& other, const std::vector<char>& skipOther, const Vec3& p);
@@ -121,9 +122,10 @@ struct PenetrationCheck::Work {
 /// Depth of a point that is known to be inside.
 void PenetrationCheck::Work::probe(int pair, const Body& other, const std::vector<char>& skipOther,
                                    const Vec3& p) {
-  const Body::Nearest nearest = other.nearest(p, worst.depth);
-  if (nearest.distance <= worst.depth || flagged(skipOther, nearest.triangle)) return;
-  worst = {nearest.distance, pair, p};
+  const double free = allowed.empty() ? 0.0 : allowed[static_cast<std::size_t>(pair)];
+  const Body::Nearest nearest = other.nearest(p, worst.depth + free);
+  if (nearest.distance <= worst.depth + free || flagged(skipOther, nearest.triangle)) return;
+  worst = {nearest.distance - free, pair, p};
 }
 
 void PenetrationCheck::Work::side(int pair, const Body& mine, const Part& part, const Body& other,
@@ -201,13 +203,15 @@ PenetrationCheck::~PenetrationCheck() = default;
 PenetrationCheck::PenetrationCheck(PenetrationCheck&&) noexcept = default;
 PenetrationCheck& PenetrationCheck::operator=(PenetrationCheck&&) noexcept = default;
 
-Penetration PenetrationCheck::deepest(std::span<const std::span<const Vec3>> positions) {
+Penetration PenetrationCheck::deepest(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed) {
   Work& w = *m_work;
   assert(positions.size() == w.bodies.size());
   for (std::size_t s = 0; s < w.bodies.size(); ++s) {
     if (w.used[s]) w.bodies[s].update(positions[s]);
   }
+  assert(allowed.empty() || allowed.size() == w.pairs.size());
   w.worst = {};
+  w.allowed = allowed;
   for (int p = 0; p < static_cast<int>(w.pairs.size()); ++p) w.pair(p);
   return w.worst;
 }

@@ -31,8 +31,9 @@ class PenetrationCheck {
   PenetrationCheck(PenetrationCheck&&) noexcept;
   PenetrationCheck& operator=(PenetrationCheck&&) noexcept;
 
-  /// positions[s] holds one entry for each vertex of surface s.
-  Penetration deepest(std::span<const std::span<const Vec3>> positions);
+  /// positions[s] holds one entry for each vertex of surface s. allowed[p] is taken off every depth of pair p (m): what
+  /// lies no deeper is where it may be; empty: nothing.
+  Penetration deepest(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed = {});
 
  private:
   struct Work;

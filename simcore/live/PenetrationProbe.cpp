@@ -45,12 +45,19 @@ PenetrationProbe::PenetrationProbe(const Model& model, SurfaceKind kind)
   for (const auto& positions : m_positions) m_spans.emplace_back(positions);
 }
 
-void PenetrationProbe::look(const VecX& q) {
+void PenetrationProbe::look(const VecX& q, std::span<const DentView> dents) {
   for (std::size_t i = 0; i < m_positions.size(); ++i) {
     const SceneObject& object = m_model.objects[i];
     surfacePositions(surfaceOf(object, m_kind), object.layout, q, m_positions[i]);
   }
-  const Penetration found = m_check.deepest(m_spans);
+  m_allowed.assign(m_model.collisionPairs.size(), 0.0);
+  for (const DentView& dent : dents)
+    for (std::size_t p = 0; p < m_allowed.size(); ++p) {
+      const CollisionPair& pair = m_model.collisionPairs[p];
+      if ((pair.surfaceA == dent.object && pair.surfaceB == dent.tool) || (pair.surfaceA == dent.tool && pair.surfaceB == dent.object))
+        m_allowed[p] = std::max(m_allowed[p], dent.depth);
+    }
+  const Penetration found = m_check.deepest(m_spans, m_allowed);
   if (found.pair < 0 || found.depth <= m_deepest) return;
   m_deepest = found.depth;
   const CollisionPair& pair = m_model.collisionPairs[found.pair];

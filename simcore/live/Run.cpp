@@ -97,9 +97,12 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
     gather.add(step, time);
-    if (collision) collision->look(state.q);
-    if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q);
-    if (s + 1 == *steps) result.contacts = step.contactViews;
+    if (collision) collision->look(state.q, step.dents);
+    if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
+    if (s + 1 == *steps) {
+      result.contacts = step.contactViews;
+      result.dents = step.dents;
+    }
     if (options.progress && !options.progress(static_cast<double>(s + 1) / static_cast<double>(*steps)))
       return Error{Fault::Cancelled, {}, {}, "run"};
   }

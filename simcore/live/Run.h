@@ -32,6 +32,7 @@ struct RunResult {
   RunReport report;                    ///< `scenario` is the scenario's id; the caller may put what was asked for
   State state;                         ///< at the end
   std::vector<ContactView> contacts;   ///< of the last step, for a picture
+  std::vector<DentView> dents;         ///< likewise
   std::optional<Recording> recording;  ///< when asked for; its `scenario` likewise
 };
 
