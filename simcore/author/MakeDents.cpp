@@ -23,16 +23,35 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// Vertices far from each other: each next one is the farthest from those taken.
-std::vector<int> spread(const std::vector<Vec3>& points, int count) {
-  std::vector<double> distance(points.size(), 1e300);
-  std::vector<int> taken;
+/// Vertices far from each other among those marked: each next one is the farthest from those taken.
+void spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count, std::vector<int>& taken) {
+  std::vector<double> distance(points.size(), 0);
   std::size_t next = 0;
-  while (static_cast<int>(taken.size()) < count && taken.size() < points.size()) {
+  for (std::size_t i = points.size(); i-- > 0;)
+    if (marked[i]) distance[i] = 1e300, next = i;
+  for (int n = 0; n < count && distance[next] > 0; ++n) {
     taken.push_back(static_cast<int>(next));
     for (std::size_t i = 0; i < points.size(); ++i) distance[i] = std::min(distance[i], (points[i] - points[next]).norm());
     next = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
+}
+
+/// Places to press: so many on each tissue that a part shows, for a tendon is no mean of its ends and the belly beside.
+std::vector<int> placesOn(const Part& part, int count) {
+  std::vector<int> use(part.visual->triangles.size(), 0);
+  for (std::size_t u = 1; u < part.materials.size(); ++u)
+    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
+      for (const int triangle : trianglesOf(*region)) use[static_cast<std::size_t>(triangle)] = static_cast<int>(u);
+  std::vector<int> taken;
+  for (int u = 0; u < static_cast<int>(part.materials.size()); ++u) {
+    std::vector<char> marked(part.visual->vertices.size(), 0);
+    for (std::size_t t = 0; t < use.size(); ++t)
+      if (use[t] == u)
+        for (const int vertex : part.visual->triangles[t]) marked[static_cast<std::size_t>(vertex)] = 1;
+    spread(part.visual->vertices, marked, count, taken);
+  }
+  std::sort(taken.begin(), taken.end());
+  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
   return taken;
 }
 
@@ -67,7 +86,7 @@ Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgre
     auto own = StaticPart::make(joint, static_cast<int>(index), part.volume, TetFilling::Partial);
     if (!own) return inPart(own.error(), part.id);
     coarse[index].emplace(std::move(*own));
-    for (const int vertex : spread(part.visual->vertices, wishes.places)) spots.push_back({static_cast<int>(index), vertex});
+    for (const int vertex : placesOn(part, wishes.places)) spots.push_back({static_cast<int>(index), vertex});
   }
   const auto fill = [&](Spot& spot) {
     const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];

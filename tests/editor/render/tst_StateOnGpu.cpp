@@ -68,6 +68,26 @@ TEST_F(StateOnGpu, aTurnedBoxTakesItsNormalsAlong) {
   }
 }
 
+TEST_F(StateOnGpu, aDentSinksTheSurfaceRoundItsPlaceAndGoes) {
+  const Model model = smallScene();
+  ASSERT_TRUE(m_renderer->setScene(model).ok());
+  int soft = 0;
+  while (model.objects[soft].layout.rigid) ++soft;
+  const auto before = m_renderer->evaluated(soft, SurfaceKind::Visual, model.start.q);
+  const auto collision = m_renderer->evaluated(soft, SurfaceKind::Collision, model.start.q);
+  const Vec3 place = before.positions_W[0].cast<double>(), normal = before.normals_W[0].cast<double>().normalized();
+  const double depth = 1e-3, radius = 4e-3;
+  const std::vector<DentView> dents{{soft, soft, place, normal, depth, radius}};
+  const auto dented = m_renderer->evaluated(soft, SurfaceKind::Visual, model.start.q, dents);
+  for (std::size_t v = 0; v < before.positions_W.size(); ++v) {
+    const Vec3 p = before.positions_W[v].cast<double>();
+    const Vec3 expected = p - depth * std::exp(-(p - place).squaredNorm() / (2 * radius * radius)) * normal;
+    EXPECT_LT((dented.positions_W[v].cast<double>() - expected).norm(), 4 * kFloatLength) << v;
+  }
+  EXPECT_EQ(m_renderer->evaluated(soft, SurfaceKind::Collision, model.start.q, dents).positions_W, collision.positions_W);
+  EXPECT_EQ(m_renderer->evaluated(soft, SurfaceKind::Visual, model.start.q).positions_W, before.positions_W);
+}
+
 TEST_F(StateOnGpu, aStateOfAnotherModelIsNotDrawn) {
   const Model model = smallScene();
   ASSERT_TRUE(m_renderer->setScene(model).ok());
