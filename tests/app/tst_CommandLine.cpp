@@ -25,7 +25,7 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
 }
 
 TEST(CommandLine, everyCommandHasHelp) {
-  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "replay", "bench"}) {
+  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "joint dents", "replay", "bench"}) {
     const Outcome outcome = glenoidProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_GT(lineCount(outcome.out), 5) << command;

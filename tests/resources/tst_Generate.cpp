@@ -103,12 +103,18 @@ TEST(KeepClear, movesASurfaceOutOfAnObstacle) {
     EXPECT_GT(ball((mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3), 0.45);
 }
 
+/// Dents are pressed into the joint afterwards, by `glenoid joint dents`.
+Joint withoutDents(Joint joint) {
+  for (Part& part : joint.parts) part.dents = nullptr;
+  return joint;
+}
+
 TEST(GenerateShoulder, givesTheJointThatShips) {
   const Result<Joint> made = makeShoulder();
   ASSERT_TRUE(made.ok());
   const Result<Joint> shipped = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/shoulder.joint");
   ASSERT_TRUE(shipped.ok()) << toLogLine(shipped.error());
-  EXPECT_EQ(jointHash(*made), jointHash(*shipped)) << "run generate_shoulder and commit its answer";
+  EXPECT_EQ(jointHash(*made), jointHash(withoutDents(*shipped))) << "run generate_shoulder and commit its answer";
 }
 
 TEST(GenerateShoulder, givesTheLayersForPalpationThatShip) {
@@ -116,7 +122,7 @@ TEST(GenerateShoulder, givesTheLayersForPalpationThatShip) {
   ASSERT_TRUE(made.ok());
   const Result<Joint> shipped = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/shoulder-superficial.joint");
   ASSERT_TRUE(shipped.ok()) << toLogLine(shipped.error());
-  EXPECT_EQ(jointHash(*made), jointHash(*shipped))
+  EXPECT_EQ(jointHash(*made), jointHash(withoutDents(*shipped)))
       << "run generate_shoulder OUT superficial and commit its answer";
 }
 
