@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/author/MakeDents.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <thread>
 
@@ -13,6 +15,7 @@ namespace glenoid {
 
 namespace {
 
+constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue, before it is known whether more tell more
 constexpr double kElements = 4000;   ///< cells of the whole part, about
 constexpr double kDepthMost = 2.5e-3;  ///< m: the search for contacts sees no deeper than 4 mm
 constexpr double kForceAtBottom = 2;  ///< N: what gives so much more that the bottom stops it earlier resists evenly up to there
@@ -23,44 +26,47 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// Vertices far from each other among those marked: each next one is the farthest from those taken.
-void spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count, std::vector<int>& taken) {
+/// `count` marked vertices, far from each other: each next one is the farthest from those taken, so a longer list begins
+/// as a shorter one does.
+std::vector<int> spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count) {
   std::vector<double> distance(points.size(), 0);
+  std::vector<int> taken;
   std::size_t next = 0;
   for (std::size_t i = points.size(); i-- > 0;)
     if (marked[i]) distance[i] = 1e300, next = i;
-  for (int n = 0; n < count && distance[next] > 0; ++n) {
+  while (static_cast<int>(taken.size()) < count && distance[next] > 0) {
     taken.push_back(static_cast<int>(next));
     for (std::size_t i = 0; i < points.size(); ++i) distance[i] = std::min(distance[i], (points[i] - points[next]).norm());
     next = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
-}
-
-/// Places to press: so many on each tissue that a part shows, for a tendon is no mean of its ends and the belly beside.
-std::vector<int> placesOn(const Part& part, int count) {
-  std::vector<int> use(part.visual->triangles.size(), 0);
-  for (std::size_t u = 1; u < part.materials.size(); ++u)
-    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) use[static_cast<std::size_t>(triangle)] = static_cast<int>(u);
-  std::vector<int> taken;
-  for (int u = 0; u < static_cast<int>(part.materials.size()); ++u) {
-    std::vector<char> marked(part.visual->vertices.size(), 0);
-    for (std::size_t t = 0; t < use.size(); ++t)
-      if (use[t] == u)
-        for (const int vertex : part.visual->triangles[t]) marked[static_cast<std::size_t>(vertex)] = 1;
-    spread(part.visual->vertices, marked, count, taken);
-  }
-  std::sort(taken.begin(), taken.end());
-  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
   return taken;
 }
 
-/// Tissue under a place of the surface, along the normal into the part, m; 0 at a rim, which has none.
+/// Vertices of the visual triangles that show one use of a material: places on one tissue.
+std::vector<char> verticesOf(const Part& part, int use) {
+  std::vector<int> uses(part.visual->triangles.size(), 0);
+  for (std::size_t u = 1; u < part.materials.size(); ++u)
+    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
+      for (const int triangle : trianglesOf(*region)) uses[static_cast<std::size_t>(triangle)] = static_cast<int>(u);
+  std::vector<char> marked(part.visual->vertices.size(), 0);
+  for (std::size_t t = 0; t < uses.size(); ++t)
+    if (uses[t] == use)
+      for (const int vertex : part.visual->triangles[t]) marked[static_cast<std::size_t>(vertex)] = 1;
+  return marked;
+}
+
+/// Tissue under a place of the surface, along the normal into the part, m; 0 where none is found. Where the place is an
+/// edge the ray begins a little beside it.
 double thicknessAt(const TriangleTree& surface, const TipPatch& patch) {
   constexpr double kBelow = 1e-4;
-  const Vec3 from = patch.middle_W - kBelow * patch.normal_W;
-  const auto hit = surface.inside(from) ? surface.cast(from, -patch.normal_W) : std::nullopt;
-  return hit ? kBelow + hit->distance : 0;
+  const Vec3 u = patch.normal_W.unitOrthogonal(), v = patch.normal_W.cross(u);
+  for (int n = 0; n < 9; ++n) {
+    const Vec3 beside = n == 0 ? Vec3::Zero().eval() : Vec3(std::cos(0.785 * n) * u + std::sin(0.785 * n) * v);
+    const Vec3 from = patch.middle_W - kBelow * patch.normal_W + 0.1 * patch.radius * beside;
+    if (!surface.inside(from)) continue;
+    if (const auto hit = surface.cast(from, -patch.normal_W)) return kBelow + hit->distance;
+  }
+  return 0;
 }
 
 }  // namespace
@@ -73,72 +79,105 @@ GradedCells fineCells(const Part& part, double radius) {
   return cells;
 }
 
+namespace {
+
+/// A place to press, and what came of it.
+struct Spot {
+  int part, vertex;
+  Result<DentSample> sample = Error{};
+  /// Whether it is as soft as a dent can show.
+  bool atBottom() const { return sample && sample->compliance * kForceAtBottom >= sample->depthMost; }
+};
+
+void press(const Joint& joint, const StaticPart& coarse, double radius, Spot& spot) {
+  const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
+  const TipPatch patch = tipPatchAt(*part.visual, part.visual->vertices[static_cast<std::size_t>(spot.vertex)], radius);
+  auto mesh = embedGraded(part, patch, fineCells(part, radius));
+  if (!mesh) {
+    spot.sample = inPart(mesh.error(), part.id);
+    return;
+  }
+  const auto fine = StaticPart::make(joint, spot.part, std::make_shared<const TetMesh>(std::move(*mesh)), TetFilling::Whole);
+  if (!fine) {
+    spot.sample = inPart(fine.error(), part.id);
+    return;
+  }
+  const double more = std::max(0.0, fine->compliance(patch) - coarse.compliance(patch));
+  const double thick = thicknessAt(TriangleTree(*part.visual), patch);
+  spot.sample = DentSample{patch.middle_W, more, std::min(kDepthMost, kThicknessShare * thick)};
+}
+
+/// All of them on all processors; false where it was cancelled. Every place is a problem of its own, so any number of
+/// threads gives the same answer.
+bool pressAll(std::vector<Spot>& spots, std::size_t first, const std::function<void(Spot&)>& one, const std::function<bool(const Spot&)>& goOn) {
+  std::atomic<std::size_t> next = first;
+  std::atomic<bool> cancelled = false;
+  std::vector<std::jthread> helpers;
+  for (unsigned n = 1; n < std::thread::hardware_concurrency(); ++n)
+    helpers.emplace_back([&] {
+      for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) one(spots[i]);
+    });
+  for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) {
+    one(spots[i]);
+    if (!goOn(spots[i])) cancelled = true;
+  }
+  helpers.clear();
+  return !cancelled;
+}
+
+/// One part's table: a bottom where none was found, and no place softer than its bottom lets it be felt.
+DentTable tableOf(const std::vector<Spot>& spots, int part, double radius) {
+  DentTable table;
+  table.radius = radius;
+  std::vector<double> depths;
+  for (const Spot& spot : spots) {
+    if (spot.part != part) continue;
+    table.samples.push_back(*spot.sample);
+    if (spot.sample->depthMost > 0) depths.push_back(spot.sample->depthMost);
+  }
+  std::sort(depths.begin(), depths.end());
+  for (DentSample& sample : table.samples) {
+    if (sample.depthMost == 0 && !depths.empty()) sample.depthMost = depths[depths.size() / 2];
+    sample.compliance = std::min(sample.compliance, sample.depthMost / kForceAtBottom);
+  }
+  return table;
+}
+
+}  // namespace
+
 Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
-  struct Spot {
-    int part, vertex;
-    Result<DentSample> sample = Error{};
-  };
-  std::vector<Spot> spots;
   std::vector<std::optional<StaticPart>> coarse(joint.parts.size());
+  std::vector<Spot> spots;
+  const auto one = [&](Spot& spot) { press(joint, *coarse[static_cast<std::size_t>(spot.part)], wishes.radius, spot); };
+  double done = 0, all = 1;
+  for (const Part& part : joint.parts)
+    if (part.kind == PartKind::Soft && (wishes.part.empty() || wishes.part == part.id))
+      all += static_cast<double>(part.materials.size()) * wishes.places;
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     const Part& part = joint.parts[index];
     if (part.kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != part.id)) continue;
     auto own = StaticPart::make(joint, static_cast<int>(index), part.volume, TetFilling::Partial);
     if (!own) return inPart(own.error(), part.id);
     coarse[index].emplace(std::move(*own));
-    for (const int vertex : placesOn(part, wishes.places)) spots.push_back({static_cast<int>(index), vertex});
-  }
-  const auto fill = [&](Spot& spot) {
-    const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
-    const TipPatch patch = tipPatchAt(*part.visual, part.visual->vertices[static_cast<std::size_t>(spot.vertex)], wishes.radius);
-    auto mesh = embedGraded(part, patch, fineCells(part, wishes.radius));
-    if (!mesh) {
-      spot.sample = inPart(mesh.error(), part.id);
-      return;
-    }
-    const auto fine = StaticPart::make(joint, spot.part, std::make_shared<const TetMesh>(std::move(*mesh)), TetFilling::Whole);
-    if (!fine) {
-      spot.sample = inPart(fine.error(), part.id);
-      return;
-    }
-    const double more = std::max(0.0, fine->compliance(patch) - coarse[static_cast<std::size_t>(spot.part)]->compliance(patch));
-    const double thick = thicknessAt(TriangleTree(*part.visual), patch);
-    spot.sample = DentSample{patch.middle_W, more, std::min(kDepthMost, kThicknessShare * thick)};
-  };
-  // Every place is a problem of its own, so any number of threads gives the same answer.
-  std::atomic<std::size_t> next = 0, done = 0;
-  std::atomic<bool> cancelled = false;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) fill(spots[i]), ++done;
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (unsigned n = 1; n < std::thread::hardware_concurrency(); ++n) helpers.emplace_back(work);
-    for (std::size_t i = next++; i < spots.size() && !cancelled; i = next++) {
-      fill(spots[i]);
-      ++done;
-      const std::string& id = joint.parts[static_cast<std::size_t>(spots[i].part)].id;
-      if (progress && !progress(id, static_cast<double>(done) / static_cast<double>(spots.size()))) cancelled = true;
+    for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) {
+      const std::vector<int> places = spread(part.visual->vertices, verticesOf(part, use), wishes.places);
+      const std::size_t before = spots.size();
+      const auto pressTo = [&](std::size_t count) {
+        const std::size_t first = spots.size();
+        for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({static_cast<int>(index), places[n]});
+        return pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, ++done / all)); });
+      };
+      if (!pressTo(kFirstPlaces)) return Error{Fault::Cancelled, {}, {}, "dents"};
+      const auto soft = std::count_if(spots.begin() + static_cast<std::ptrdiff_t>(before), spots.end(), [](const Spot& s) { return s.atBottom(); });
+      if (2 * static_cast<std::size_t>(soft) > spots.size() - before) continue;  // everywhere the bottom: more places tell nothing
+      if (!pressTo(places.size())) return Error{Fault::Cancelled, {}, {}, "dents"};
     }
   }
-  if (cancelled) return Error{Fault::Cancelled, {}, {}, "dents"};
   for (const Spot& spot : spots)
     if (!spot.sample) return spot.sample.error();
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     if (!coarse[index]) continue;
-    DentTable table;
-    table.radius = wishes.radius;
-    std::vector<double> depths;
-    for (const Spot& spot : spots) {
-      if (spot.part != static_cast<int>(index)) continue;
-      table.samples.push_back(*spot.sample);
-      if (spot.sample->depthMost > 0) depths.push_back(spot.sample->depthMost);
-    }
-    std::sort(depths.begin(), depths.end());
-    for (DentSample& sample : table.samples) {
-      if (sample.depthMost == 0 && !depths.empty()) sample.depthMost = depths[depths.size() / 2];
-      sample.compliance = std::min(sample.compliance, sample.depthMost / kForceAtBottom);
-    }
+    DentTable table = tableOf(spots, static_cast<int>(index), wishes.radius);
     table.basis = dentBasis(joint, joint.parts[index]);
     joint.parts[index].dents = std::make_shared<const DentTable>(std::move(table));
   }
