@@ -26,33 +26,33 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// `count` marked vertices, far from each other: each next one is the farthest from those taken, so a longer list begins
+/// `count` marked points, far from each other: each next one is the farthest from those taken, so a longer list begins
 /// as a shorter one does.
-std::vector<int> spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count) {
+std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count) {
   std::vector<double> distance(points.size(), 0);
-  std::vector<int> taken;
+  std::vector<Vec3> taken;
   std::size_t next = 0;
   for (std::size_t i = points.size(); i-- > 0;)
     if (marked[i]) distance[i] = 1e300, next = i;
   while (static_cast<int>(taken.size()) < count && distance[next] > 0) {
-    taken.push_back(static_cast<int>(next));
+    taken.push_back(points[next]);
     for (std::size_t i = 0; i < points.size(); ++i) distance[i] = std::min(distance[i], (points[i] - points[next]).norm());
     next = static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
   return taken;
 }
 
-/// Vertices of the visual triangles that show one use of a material: places on one tissue.
-std::vector<char> verticesOf(const Part& part, int use) {
-  std::vector<int> uses(part.visual->triangles.size(), 0);
+/// Places on one tissue: middles of the visual triangles that show one use of a material. Not vertices: those of an edge
+/// are softer than the faces, which are what a tip meets.
+std::vector<Vec3> placesOn(const Part& part, int use, int count) {
+  std::vector<char> marked(part.visual->triangles.size(), use == 0);
   for (std::size_t u = 1; u < part.materials.size(); ++u)
     if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) uses[static_cast<std::size_t>(triangle)] = static_cast<int>(u);
-  std::vector<char> marked(part.visual->vertices.size(), 0);
-  for (std::size_t t = 0; t < uses.size(); ++t)
-    if (uses[t] == use)
-      for (const int vertex : part.visual->triangles[t]) marked[static_cast<std::size_t>(vertex)] = 1;
-  return marked;
+      for (const int triangle : trianglesOf(*region)) marked[static_cast<std::size_t>(triangle)] = static_cast<int>(u) == use;
+  std::vector<Vec3> middles;
+  for (const auto& c : part.visual->triangles)
+    middles.push_back((part.visual->vertices[c[0]] + part.visual->vertices[c[1]] + part.visual->vertices[c[2]]) / 3);
+  return spread(middles, marked, count);
 }
 
 /// Tissue under a place of the surface, along the normal into the part, m; 0 where none is found. Where the place is an
@@ -83,7 +83,8 @@ namespace {
 
 /// A place to press, and what came of it.
 struct Spot {
-  int part, vertex;
+  int part;
+  Vec3 at_W;
   Result<DentSample> sample = Error{};
   /// Whether it is as soft as a dent can show.
   bool atBottom() const { return sample && sample->compliance * kForceAtBottom >= sample->depthMost; }
@@ -91,7 +92,7 @@ struct Spot {
 
 void press(const Joint& joint, const StaticPart& coarse, double radius, Spot& spot) {
   const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
-  const TipPatch patch = tipPatchAt(*part.visual, part.visual->vertices[static_cast<std::size_t>(spot.vertex)], radius);
+  const TipPatch patch = tipPatchAt(*part.visual, spot.at_W, radius);
   auto mesh = embedGraded(part, patch, fineCells(part, radius));
   if (!mesh) {
     spot.sample = inPart(mesh.error(), part.id);
@@ -160,7 +161,7 @@ Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgre
     if (!own) return inPart(own.error(), part.id);
     coarse[index].emplace(std::move(*own));
     for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) {
-      const std::vector<int> places = spread(part.visual->vertices, verticesOf(part, use), wishes.places);
+      const std::vector<Vec3> places = placesOn(part, use, wishes.places);
       const std::size_t before = spots.size();
       const auto pressTo = [&](std::size_t count) {
         const std::size_t first = spots.size();
