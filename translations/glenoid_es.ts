@@ -3617,6 +3617,10 @@
         <source>Skin layer</source>
         <translation>Capa de piel</translation>
     </message>
+    <message>
+        <source>Dents under a tip</source>
+        <translation>Hundimiento bajo una punta</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::StatusFigures</name>
