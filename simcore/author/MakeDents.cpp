@@ -149,8 +149,12 @@ DentTable tableOf(const std::vector<Spot>& spots, int part, double radius) {
 Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
   std::vector<std::optional<StaticPart>> coarse(joint.parts.size());
   std::vector<Spot> spots;
-  const auto one = [&](Spot& spot) { press(joint, *coarse[static_cast<std::size_t>(spot.part)], wishes.radius, spot); };
-  double done = 0, all = 1;
+  std::atomic<int> done = 0;
+  const auto one = [&](Spot& spot) {
+    press(joint, *coarse[static_cast<std::size_t>(spot.part)], wishes.radius, spot);
+    ++done;
+  };
+  double all = 1;
   for (const Part& part : joint.parts)
     if (part.kind == PartKind::Soft && (wishes.part.empty() || wishes.part == part.id))
       all += static_cast<double>(part.materials.size()) * wishes.places;
@@ -166,7 +170,7 @@ Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgre
       const auto pressTo = [&](std::size_t count) {
         const std::size_t first = spots.size();
         for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({static_cast<int>(index), places[n]});
-        return pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, ++done / all)); });
+        return pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, done / all)); });
       };
       if (!pressTo(kFirstPlaces)) return Error{Fault::Cancelled, {}, {}, "dents"};
       const auto soft = std::count_if(spots.begin() + static_cast<std::ptrdiff_t>(before), spots.end(), [](const Spot& s) { return s.atBottom(); });
