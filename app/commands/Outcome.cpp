@@ -24,7 +24,8 @@ std::string summaryOf(const RunReport& r) {
               r.contacts.activeMean, r.contacts.activeMax, r.contactIslandsMax);
   out += text("penetration: %.3f mm", r.penetrationMax * 1e3) +
          (r.penetrationPair.empty() ? std::string() : " (" + r.penetrationPair + ")") +
-         (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) + "\n";
+         (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) +
+         (r.visualPenetrationPair.empty() ? std::string() : " (" + r.visualPenetrationPair + ")") + "\n";
   out += text("residual:    %.2e\n", r.residual);
   if (r.paper)
     out += text("paper:       D by node in %ld steps, by object in %ld; outer iterations %.1f mean, %d max, residual %.1e; "

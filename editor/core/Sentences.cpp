@@ -110,7 +110,7 @@ QString Sentences::reason(const QString& word) {
   if (word == u"asked-on") return tr("switched on by the scenario");
   if (word == u"asked-off") return tr("switched off by the scenario");
   if (word == u"auto-present") return tr("the scene holds something it acts on");
-  if (word == u"auto-nothing-to-act-on") return tr("nothing in the scene for it to act on");
+  if (word == u"nothing-to-act-on") return tr("nothing in the scene for it to act on");
   if (word == u"not-built") return tr("not available in this version");
   return word;
 }

@@ -26,14 +26,19 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// `count` marked points, far from each other: each next one is the farthest from those taken, so a longer list begins
-/// as a shorter one does.
+/// `count` marked points, far from each other, the first in their middle: each next one is the farthest from those taken,
+/// so a longer list begins as a shorter one does.
 std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count) {
   std::vector<double> distance(points.size(), 0);
   std::vector<Vec3> taken;
+  Vec3 middle = Vec3::Zero();
+  int all = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (marked[i]) middle += points[i], ++all, distance[i] = 1e300;
+  middle /= std::max(all, 1);
   std::size_t next = 0;
-  for (std::size_t i = points.size(); i-- > 0;)
-    if (marked[i]) distance[i] = 1e300, next = i;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (marked[i] && (!marked[next] || (points[i] - middle).norm() < (points[next] - middle).norm())) next = i;
   while (static_cast<int>(taken.size()) < count && distance[next] > 0) {
     taken.push_back(points[next]);
     for (std::size_t i = 0; i < points.size(); ++i) distance[i] = std::min(distance[i], (points[i] - points[next]).norm());

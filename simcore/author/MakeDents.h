@@ -16,7 +16,7 @@ GradedCells fineCells(const Part& part, double radius);
 /// Fails as StaticPart and embedGraded do, naming the part, and with Cancelled; the joint is then as it was.
 struct DentWishes {
   double radius = 1.5e-3;  ///< m: the tip of a probe
-  int places = 48;         ///< on each tissue of each part; eight where a dent reaches its bottom anyway
+  int places = 96;         ///< on each tissue of each part; eight where a dent reaches its bottom anyway
   std::string part;        ///< only this one; empty: all that are soft
 };
 Result<Done> makeDents(Joint& joint, const DentWishes& wishes = {}, const BuildProgress& progress = {});

@@ -3,6 +3,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <optional>
 
 #include "simcore/coupling/Springs.h"
 #include "simcore/embed/Bind.h"
@@ -16,6 +17,8 @@ struct StaticPart::Inside {
   std::shared_ptr<const TetMesh> mesh;
   Matrix K;
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver;
+  /// In its place where the incomplete factor breaks down, as it may on flat tetrahedra: slower, never without an answer.
+  std::optional<Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>> plain;
 };
 
 StaticPart::StaticPart(std::unique_ptr<Inside> inside) : m_inside(std::move(inside)) {}
@@ -106,8 +109,12 @@ Result<StaticPart> StaticPart::make(const Joint& joint, int index, std::shared_p
   inside->solver.setTolerance(1e-4);
   inside->solver.setMaxIterations(20000);
   inside->solver.compute(inside->K);
-  if (inside->solver.info() != Eigen::Success)
-    return Error{Fault::Unusable, {"", "", part.id, {}}, {"couplings"}, "the stiffness is not positive"};
+  if (inside->solver.info() != Eigen::Success) {
+    inside->plain.emplace();
+    inside->plain->setTolerance(1e-4);
+    inside->plain->setMaxIterations(20000);
+    inside->plain->compute(inside->K);
+  }
   return StaticPart(std::move(inside));
 }
 
@@ -127,12 +134,14 @@ double answer(const Solver& solver, const TetMesh& mesh, std::span<const Vec3> p
 }  // namespace
 
 double StaticPart::compliance(const TipPatch& patch) const {
-  return answer(m_inside->solver, *m_inside->mesh, patch.points_W, patch.weights, patch.normal_W);
+  return m_inside->plain ? answer(*m_inside->plain, *m_inside->mesh, patch.points_W, patch.weights, patch.normal_W)
+                         : answer(m_inside->solver, *m_inside->mesh, patch.points_W, patch.weights, patch.normal_W);
 }
 
 double StaticPart::compliance(const Vec3& point_W, const Vec3& normal_W) const {
   const double whole = 1;
-  return answer(m_inside->solver, *m_inside->mesh, {&point_W, 1}, {&whole, 1}, normal_W);
+  return m_inside->plain ? answer(*m_inside->plain, *m_inside->mesh, {&point_W, 1}, {&whole, 1}, normal_W)
+                         : answer(m_inside->solver, *m_inside->mesh, {&point_W, 1}, {&whole, 1}, normal_W);
 }
 
 }  // namespace glenoid

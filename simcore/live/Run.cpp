@@ -128,6 +128,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   }
   if (visual) {
     report.visualPenetrationMax = visual->deepest();
+    report.visualPenetrationPair = visual->where();
     report.visualPenetrationEvery = options.visualEvery;
   }
   if (pacer) report.pace = pacer->report();

@@ -135,7 +135,7 @@ std::string toJson(const RunReport& r) {
        {"islands", object({{"coupling", r.couplingIslands}, {"contactMax", r.contactIslandsMax}})},
        {"contacts", toJson(r.contacts)}, {"ms", timesOf(r)}, {"penetrationMax", r.penetrationMax},
        {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},
-       {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}});
+       {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}});
   if (r.paper) json.set("paper", toJson(*r.paper));
   if (r.pace) {
     json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},

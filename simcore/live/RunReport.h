@@ -100,6 +100,7 @@ struct RunReport {
   double penetrationMax = 0;                 ///< m, collision surfaces, every step
   std::string penetrationPair;               ///< "a / b" where it was found
   std::optional<double> visualPenetrationMax;  ///< m, visual surfaces, every visualPenetrationEvery steps
+  std::string visualPenetrationPair;         ///< "a / b" where that was found
   int visualPenetrationEvery = 0;
   std::vector<EffectReport> effects;
   std::vector<MarkReport> marks;

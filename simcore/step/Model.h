@@ -42,7 +42,7 @@ struct SpringView {
 struct EffectPlan {
   std::string name;    ///< "gravity", "couplings", "contact", "selfContact", "friction", "damping", "bursa", "haptics", …
   bool on = false;
-  std::string reason;  ///< "asked-on", "asked-off", "auto-nothing-to-act-on", "auto-present", "not-built"
+  std::string reason;  ///< "asked-on", "asked-off", "nothing-to-act-on", "auto-present", "not-built"
 };
 
 struct StepModel;  ///< the numerical inside, private to step/

@@ -33,8 +33,9 @@ struct Row {
   double fine = 0, hard = 0, dented = 0;
 };
 
-/// One row of the table, printed.
-Row press(const PressedTissue& tissue) {
+/// One row of the table, printed. What is judged is compared with the finer of two levels of cells, which on the labrum
+/// still differ by a seventh.
+Row press(const PressedTissue& tissue, bool finest) {
   const Joint& joint = shippedShoulder();
   const int index = findPart(joint, tissue.part);
   const Part& part = joint.parts[index];
@@ -42,7 +43,7 @@ Row press(const PressedTissue& tissue) {
   Row row;
   row.fine = fineIndentation(joint, tissue.part, patch, false);
   std::printf("%-24s %-8.8s fine %6.2f mm", tissue.part.c_str(), tissue.region.c_str(), 1e3 * row.fine);
-  if (longForm()) {
+  if (finest) {
     const double finer = fineIndentation(joint, tissue.part, patch, true);
     std::printf(" (in finer cells %6.2f, %+5.1f %%)", 1e3 * finer, 100 * (finer / row.fine - 1));
     row.fine = finer;
@@ -68,7 +69,7 @@ TEST(Indentation, theJointHoldsWhatItsTissueGivesUnderATip) {
 
 TEST(Indentation, twoNewtonsIndentTendonsLabrumAndAnchorAsAFineStaticSolveSays) {
   for (const PressedTissue& tissue : kJudged) {
-    const Row row = press(tissue);
+    const Row row = press(tissue, true);
     EXPECT_GT(row.dented / row.fine, 0.75) << tissue.part;
     EXPECT_LT(row.dented / row.fine, 1.25) << tissue.part;
   }
@@ -77,7 +78,7 @@ TEST(Indentation, twoNewtonsIndentTendonsLabrumAndAnchorAsAFineStaticSolveSays) 
 TEST(Indentation, beyondWhatADentCanShowTheTipStillGoesTheRightWay) {
   for (std::size_t i = 0; i < kBeyond.size(); ++i) {
     if (!longForm() && i % 3 != 0) continue;
-    const Row row = press(kBeyond[i]);
+    const Row row = press(kBeyond[i], longForm());
     EXPECT_GT(row.dented, row.hard) << kBeyond[i].part;
     EXPECT_LT(row.dented, row.fine) << kBeyond[i].part;
   }

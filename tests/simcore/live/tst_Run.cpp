@@ -108,6 +108,7 @@ TEST(Run, checksChangeNothing) {
   ASSERT_TRUE(with && without);
   EXPECT_EQ(with->report.stateHash, without->report.stateHash);
   EXPECT_TRUE(with->report.visualPenetrationMax.has_value());
+  EXPECT_EQ(with->report.visualPenetrationPair.empty(), *with->report.visualPenetrationMax == 0);
   EXPECT_FALSE(without->report.visualPenetrationMax.has_value());
 }
 
