@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "simcore/scene/JointFile.h"
+#include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
@@ -50,10 +51,8 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<char
 /// Places on one tissue: middles of the visual triangles that show one use of a material. Not vertices: those of an edge
 /// are softer than the faces, which are what a tip meets.
 std::vector<Vec3> placesOn(const Part& part, int use, int count) {
-  std::vector<char> marked(part.visual->triangles.size(), use == 0);
-  for (std::size_t u = 1; u < part.materials.size(); ++u)
-    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) marked[static_cast<std::size_t>(triangle)] = static_cast<int>(u) == use;
+  std::vector<char> marked;
+  for (const int own : useOfTriangles(part)) marked.push_back(own == use);
   std::vector<Vec3> middles;
   for (const auto& c : part.visual->triangles)
     middles.push_back((part.visual->vertices[c[0]] + part.visual->vertices[c[1]] + part.visual->vertices[c[2]]) / 3);

@@ -9,6 +9,7 @@
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/fem/CorotTet.h"
+#include "simcore/scene/TriangleUse.h"
 
 namespace glenoid {
 
@@ -50,19 +51,10 @@ Result<std::vector<Hold>> holdsOf(const Joint& whole, int index, const std::shar
   return holds;
 }
 
-/// The material of each visual triangle as the running simulation takes it: the last use whose region holds it.
-std::vector<int> usesOf(const Part& part) {
-  std::vector<int> use(part.visual->triangles.size(), 0);
-  for (std::size_t u = 1; u < part.materials.size(); ++u)
-    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) use[triangle] = static_cast<int>(u);
-  return use;
-}
-
 Result<std::vector<CorotTet>> elementsOf(const Joint& joint, const Part& part, const TetMesh& mesh, TetFilling filling) {
   const std::vector<double> fill =
       filling == TetFilling::Partial ? fillFractions(mesh, *part.visual) : std::vector<double>(mesh.tets.size(), 1.0);
-  const std::vector<int> label = labelTets(mesh, *part.visual, usesOf(part));
+  const std::vector<int> label = labelTets(mesh, *part.visual, useOfTriangles(part));
   std::vector<CorotTet> elements;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const Material& material = joint.materials[findMaterial(joint, part.materials[std::max(label[t], 0)].material)];

@@ -2,7 +2,7 @@
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/export/ExportParts.h"
-#include "simcore/step/CompileObjects.h"
+#include "simcore/scene/TriangleUse.h"
 
 namespace glenoid::exporting {
 

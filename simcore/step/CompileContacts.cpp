@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
 #include "simcore/step/CompileObjects.h"
 

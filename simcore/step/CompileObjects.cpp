@@ -8,6 +8,7 @@
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/scene/Start.h"
+#include "simcore/scene/TriangleUse.h"
 #include "simcore/tool/FingerShape.h"
 #include "simcore/tool/ToolShape.h"
 
@@ -51,14 +52,6 @@ void place(ObjectLayout& layout, int nodeCount, int& q, int& v) {
 }
 
 }  // namespace
-
-std::vector<int> useOfTriangles(const Part& part) {
-  std::vector<int> use(part.visual->triangles.size(), 0);
-  for (std::size_t u = 1; u < part.materials.size(); ++u)
-    if (const Region* region = findRegion(part, part.materials[u].region); region && region->surface == SurfaceKind::Visual)
-      for (const int triangle : trianglesOf(*region)) use[triangle] = static_cast<int>(u);
-  return use;
-}
 
 Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres) {
   const Joint& joint = model.joint;

@@ -11,9 +11,6 @@ namespace glenoid {
 /// model.objects, model.start and inside.objects. `centres`: body frame origin of each rigid object at rest.
 Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres);
 
-/// The material use of each visual triangle: the last one whose region holds it.
-std::vector<int> useOfTriangles(const Part& part);
-
 /// Coulomb's coefficient at each collision vertex of every object; after compileContacts. False where no pair that
 /// may collide is rough on both sides.
 bool compileFriction(Model& model);
