@@ -3,6 +3,7 @@
 
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <mutex>
 #include <optional>
 
 #include "simcore/coupling/Springs.h"
@@ -20,6 +21,8 @@ struct StaticPart::Inside {
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver;
   /// In its place where the incomplete factor breaks down, as it may on flat tetrahedra: slower, never without an answer.
   std::optional<Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper>> plain;
+  /// A solver keeps its limits and its count of iterations where every solve writes them: one solve at a time.
+  std::mutex solving;
 };
 
 StaticPart::StaticPart(std::unique_ptr<Inside> inside) : m_inside(std::move(inside)) {}
@@ -126,12 +129,14 @@ double answer(const Solver& solver, const TetMesh& mesh, std::span<const Vec3> p
 }  // namespace
 
 double StaticPart::compliance(const TipPatch& patch) const {
+  const std::lock_guard lock(m_inside->solving);
   return m_inside->plain ? answer(*m_inside->plain, *m_inside->mesh, patch.points_W, patch.weights, patch.normal_W)
                          : answer(m_inside->solver, *m_inside->mesh, patch.points_W, patch.weights, patch.normal_W);
 }
 
 double StaticPart::compliance(const Vec3& point_W, const Vec3& normal_W) const {
   const double whole = 1;
+  const std::lock_guard lock(m_inside->solving);
   return m_inside->plain ? answer(*m_inside->plain, *m_inside->mesh, {&point_W, 1}, {&whole, 1}, normal_W)
                          : answer(m_inside->solver, *m_inside->mesh, {&point_W, 1}, {&whole, 1}, normal_W);
 }
