@@ -14,6 +14,7 @@ Hash128 stateHash(const State& state) {
     mix(&impulse.key, sizeof impulse.key);
     mix(&impulse.value, sizeof impulse.value);
     mix(impulse.friction_W.data(), sizeof impulse.friction_W);
+    mix(impulse.normal_W.data(), sizeof impulse.normal_W);
   }
   return hash;
 }

@@ -24,6 +24,7 @@ struct State {
     std::uint64_t key;
     double value;  ///< N·s
     Vec3 friction_W = Vec3::Zero();  ///< tangential, N·s
+    Vec3 normal_W = Vec3::UnitY();   ///< of the contact, from b to a
   };
   std::vector<Impulse> impulses;
 };

@@ -31,6 +31,21 @@ std::vector<char> emptyTriangles(const TriMesh& mesh) {
   return empty;
 }
 
+void measure(const TriMesh& mesh, CollisionSurface& surface) {
+  Box3 box;
+  for (const Vec3& x : mesh.vertices) box.extend(x);
+  if (mesh.vertices.empty()) return;
+  surface.size = box.diagonal().norm();
+  double volume = 0, area = 0;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Vec3 a = mesh.vertices[i] - box.center(), across = (mesh.vertices[j] - mesh.vertices[i]).cross(mesh.vertices[k] - mesh.vertices[i]);
+    volume += a.dot(across) / 6;
+    area += across.norm() / 2;
+  }
+  const double shortest = box.sizes().minCoeff();
+  surface.thickness = volume > 0 ? std::min(2 * volume / area, shortest) : shortest;
+}
+
 /// Rows of a table from (row, entry) pairs that come in ascending order of entry.
 void makeRows(int rows, const std::vector<std::array<int, 2>>& entries, std::vector<int>& start,
               std::vector<int>& list) {
@@ -58,6 +73,7 @@ std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh
   surface->deforms = deforms;
 
   surface->empty = emptyTriangles(mesh);
+  measure(mesh, *surface);
 
   std::vector<Side> sides;
   sides.reserve(3 * mesh.triangles.size());

@@ -47,6 +47,10 @@ struct CollisionSurface {
   std::vector<std::array<int, 3>> triangleEdges;  ///< edge k joins corners k and (k+1) mod 3
   std::vector<char> empty;                        ///< a triangle without area at rest, or one that is there already
   std::vector<Vec3> restVertices;                 ///< m, for building trees only
+  double size = 0;                                ///< diagonal of its box at rest, m
+  /// How thick it is on the whole, m: twice the volume over the area, two thirds of a ball's radius and the whole of a
+  /// sheet's thickness; where it encloses nothing, the shortest side of its box. At rest.
+  double thickness = 0;
 
   std::span<const int> trianglesOf(int vertex) const { return row(triangleStart, triangleList, vertex); }
   std::span<const int> edgesOf(int vertex) const { return row(edgeStart, edgeList, vertex); }

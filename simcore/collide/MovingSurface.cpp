@@ -45,7 +45,7 @@ MovingSurface::MovingSurface(std::shared_ptr<const CollisionSurface> topology)
 }
 
 void MovingSurface::update(std::span<const Vec3> positions, std::span<const std::span<const Vec3>> motions,
-                           double contactDistance, double dt, double lookAhead) {
+                           double contactDistance, double dt) {
   const CollisionSurface& s = *m_topology;
   assert(static_cast<int>(positions.size()) == s.vertexCount);
   assert(motions.size() <= m_v.size());
@@ -61,10 +61,14 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
   // Corner, normal and offset are rounded once, then three products and three sums: under 25 units of 2⁻²⁴.
   m_laneSlack = static_cast<float>(32 * largest) * std::numeric_limits<float>::epsilon();
   bool moves = false;
-  for (const std::span<const Vec3> velocities : motions) {
+  for (std::size_t motion = 0; motion < motions.size(); ++motion) {
+    const std::span<const Vec3> velocities = motions[motion];
     assert(velocities.empty() || velocities.size() == positions.size());
+    Vec3& drift = m_drift[motion] = Vec3::Zero();
+    for (const Vec3& v : velocities) drift += v;
+    if (!velocities.empty()) drift /= static_cast<double>(velocities.size());
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-      const double speed = velocities[i].norm();
+      const double speed = (velocities[i] - drift).norm();
       sum += speed;
       m_speed[i] = moves ? std::max(m_speed[i], speed) : speed;
     }
@@ -90,7 +94,7 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
     for (int axis = 0; axis < 3; ++axis) lanes.normal[axis] = static_cast<float>(m_faceNormal[t][axis]);
     lanes.offset = static_cast<float>(m_faceOffset[t]);
     const double speed = !moves ? 0 : std::max({m_speed[i], m_speed[j], m_speed[k]});
-    m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, lookAhead);
+    m_margin[t] = 0.5 * contactDistance + std::min(speed * dt, ahead());
     const Vec3 reach = Vec3::Constant(m_margin[t]);
     m_tree.setBox(static_cast<int>(t), a.cwiseMin(b).cwiseMin(c) - reach, a.cwiseMax(b).cwiseMax(c) + reach);
   }
@@ -180,28 +184,6 @@ MovingSurface::Nearest MovingSurface::nearest(const Vec3& p, double reach) {
   found.distance = std::sqrt(best);
   found.feature = featureOf(found.triangle, found.barycentric);
   found.inside = normalOf(found.feature).dot(p - found.point) <= 0;
-  return found;
-}
-
-MovingSurface::Nearest MovingSurface::nearestFacing(const Vec3& p, double reach, const Vec3& direction,
-                                                    double facing) {
-  Nearest found;
-  const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
-    const double h = height(t, p);
-    const double none = 2 * bestSoFar + 1;
-    if (!m_hasFace[t] || h > 0 || h * h >= bestSoFar || m_faceNormal[t].dot(direction) > facing) return none;
-    const auto [i, j, k] = m_topology->triangles[t];
-    const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
-    if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) return none;
-    found.triangle = t;
-    found.barycentric = w;
-    found.point = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
-    return h * h;
-  });
-  if (found.triangle < 0) return found;
-  found.distance = std::sqrt(best);
-  found.feature = {FeatureKind::Face, found.triangle};
-  found.inside = true;
   return found;
 }
 

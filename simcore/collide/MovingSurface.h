@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "simcore/collide/CollisionSurface.h"
 #include "simcore/spatial/BoxTree.h"
+#include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {
 
@@ -20,10 +22,14 @@ class MovingSurface {
  public:
   explicit MovingSurface(std::shared_ptr<const CollisionSurface> topology);
 
-  /// Boxes reach margin = contactDistance / 2 + min(speed · dt, lookAhead) beyond their triangle, with the largest speed
-  /// of any motion. An empty motion is rest. The spans must outlive the queries.
+  /// Boxes reach margin = contactDistance / 2 + min(speed · dt, ahead()) beyond their triangle, with the largest speed
+  /// of any motion against the surface's own drift in it. An empty motion is rest. The spans must outlive the queries.
   void update(std::span<const Vec3> positions, std::span<const std::span<const Vec3>> motions, double contactDistance,
-              double dt, double lookAhead);
+              double dt);
+  /// Mean velocity of all vertices in one of the motions, m/s.
+  const Vec3& drift(int motion) const { return m_drift[motion]; }
+  /// Most that the search looks ahead for this surface, m: a bound for what moves absurdly.
+  double ahead() const { return kAhead * m_topology->size; }
 
   const CollisionSurface& topology() const { return *m_topology; }
   bool usable() const { return m_usable; }
@@ -82,16 +88,39 @@ class MovingSurface {
   };
   /// Nearest point of the whole surface nearer than `reach`; on triangles that have a face.
   Nearest nearest(const Vec3& p, double reach);
-  /// Nearest interior point of a face in front of which `p` is not, and whose normal has a component of at
-  /// most `facing` along the unit vector `direction`.
-  Nearest nearestFacing(const Vec3& p, double reach, const Vec3& direction, double facing);
+  /// Nearest point of a face behind whose plane `p` lies, right over the face (its border too, to within `slack`), of those
+  /// whose normal is allowed(normal).
+  template <class Allowed>
+  Nearest nearestFace(const Vec3& p, double reach, double slack, Allowed&& allowed) const {
+    Nearest found;
+    const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
+      const double h = height(t, p), none = 2 * bestSoFar + 1;
+      if (!m_hasFace[t] || h > 0 || h * h >= bestSoFar || !allowed(m_faceNormal[t])) return none;
+      const auto [i, j, k] = m_topology->triangles[t];
+      const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
+      const Vec3 foot = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
+      if ((foot - p - h * -m_faceNormal[t]).squaredNorm() > slack * slack) return none;
+      found.triangle = t;
+      found.barycentric = w;
+      found.point = foot;
+      return h * h;
+    });
+    if (found.triangle < 0) return found;
+    found.distance = std::sqrt(best);
+    found.feature = {FeatureKind::Face, found.triangle};
+    found.inside = true;
+    return found;
+  }
 
  private:
+  static constexpr double kAhead = 2;  ///< times the surface's size
+
   std::shared_ptr<const CollisionSurface> m_topology;
   BoxTree m_tree;
   std::span<const Vec3> m_x;
   std::array<std::span<const Vec3>, 4> m_v;  ///< by motion
-  std::vector<double> m_speed;               ///< by vertex, the largest of any motion
+  std::array<Vec3, 4> m_drift;               ///< by motion
+  std::vector<double> m_speed;               ///< by vertex, against the drift, the largest of any motion
   std::vector<Vec3> m_faceNormal;
   std::vector<double> m_faceOffset, m_margin;
   std::vector<Lanes> m_lanes;

@@ -14,10 +14,6 @@ namespace {
 constexpr double kParallel = 1e-6;
 /// Two crossed edges must be at least this share of their overlap below the other's surface.
 constexpr double kWedge = 0.4;
-/// Sine of the angle by which the normal of edges that touch may leave their arcs.
-constexpr double kLean = 0.2;
-/// Share of the contact distance below which edges count as touching in that.
-constexpr double kRolling = 0.25;
 /// Cosine of the angle by which the normal may differ from those beside an edge that is flat or a shallow valley.
 constexpr double kAlmostFlat = 0.85;
 
@@ -28,23 +24,28 @@ double wedgeDepth(const MovingSurface& surface, int e, const Vec3& n) {
   return std::min(n.dot(surface.faceNormal(triangles[0])), n.dot(surface.faceNormal(triangles[1])));
 }
 
+}  // namespace
+
 /// Whether a plane with the unit normal n, at right angles to the edge, is one that the edge's surface stays under
-/// nearby: n lies in the arc between the normals of a convex edge, leaves it by less than the sine `lean`, or is close to
-/// both normals of a flat edge or a shallow valley.
-bool facesAlong(const MovingSurface& surface, int e, const Vec3& n, double lean) {
+/// nearby: n lies in the arc between the normals of a convex edge, widened, now or as its faces will have turned by the
+/// end of the step; or is close to both normals of a flat edge or a shallow valley.
+bool PairSearch::facesAlong(const MovingSurface& surface, int e, const Vec3& n) const {
   const CollisionSurface::Edge& edge = surface.topology().edges[e];
   if (surface.bend(e) == MovingSurface::Bend::Dentable) return wedgeDepth(surface, e, n) > kAlmostFlat;
   const Vec3 &on = surface.x(edge.vertices[0]), along = surface.x(edge.vertices[1]) - on;
+  const double length = along.norm();
   for (const int v : edge.opposite) {
     const Vec3 across = surface.x(v) - on;
-    const double above = n.dot(across);
-    if (above <= 0) continue;
-    if (lean == 0 || above * above * along.squaredNorm() > lean * lean * across.cross(along).squaredNorm()) return false;
+    double above = n.dot(across);
+    const double allowed = kWidened * across.cross(along).norm() / length;
+    if (above <= allowed) continue;
+    double change = 0;
+    for (int motion = 0; motion < m_settings.motionCount; ++motion)
+      change = std::max(change, m_settings.dt * n.dot(surface.v(motion, edge.vertices[0]) - surface.v(motion, v)));
+    if (above - change > allowed) return false;
   }
   return true;
 }
-
-}  // namespace
 
 void PairSearch::edgeNearEdge(int ea, int eb) {
   ++m_counts->edgeEdge;
@@ -55,7 +56,7 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   Vec3 n = da.cross(db);
   const double n2 = n.squaredNorm();
   if (n2 <= kParallel * da.squaredNorm() * db.squaredNorm()) return;
-  const double furthest = std::max(m_settings.contactDistance + m_limits.lookAhead, m_limits.edgeDepth);
+  const double furthest = std::max(m_settings.contactDistance + m_ahead, m_edgeDepth);
   const double offset = n.dot(between);
   if (offset * offset > furthest * furthest * n2) return;
   const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);  // times n2
@@ -66,10 +67,8 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   n /= std::sqrt(n2);
   if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
   const double gap = -n.dot(between);
-  if (gap < -m_limits.edgeDepth) return;
-  // Edges that touch may roll over the end of an arc within the step, so they get some more of it.
-  const double lean = std::abs(gap) < kRolling * m_settings.contactDistance ? kLean : 0;
-  if (!facesAlong(b, eb, n, lean) || !facesAlong(a, ea, -n, lean)) return;
+  if (gap < -m_edgeDepth) return;
+  if (!facesAlong(b, eb, n) || !facesAlong(a, ea, -n)) return;
 
   Proximity contact;
   contact.pair = m_settings.pair;
@@ -78,7 +77,7 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   contact.normal_W = n;
   contact.gap = gap;
   if (!near(gap, n, a, contact.a, b, contact.b)) return;
-  if (gap < -kTouching) {
+  if (gap < -m_touching) {
     // Where the foot of one edge lies in the other's wedge it must truly be inside. A wedge that leans over so far that
     // it cannot hold the foot says nothing; one of the two has to.
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
@@ -95,7 +94,7 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
 
 bool PairSearch::inDepth(Side& side, const Vec3& p, double depth) {
   ++m_counts->depthQueries;
-  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_limits.edgeDepth + kTouching);
+  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_edgeDepth + m_touching);
   if (nearest.triangle < 0 || !nearest.inside || nearest.distance < depth) return false;
   return !(side.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped);
 }

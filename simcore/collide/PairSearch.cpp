@@ -26,15 +26,19 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
                      MovingSurface& b, const FeatureOwners& ownersB, std::vector<Proximity>& out,
                      ProximityFinder::Counts& counts) {
   if (!a.usable() || !b.usable()) return;
-  const BoxTree::Node &rootA = a.tree().nodes()[0], &rootB = b.tree().nodes()[0];
-  if (!BoxTree::overlap(rootA, rootB)) return;
   m_settings = settings;
+  m_ahead = a.ahead() + b.ahead();
+  const BoxTree::Node &rootA = a.tree().nodes()[0], &rootB = b.tree().nodes()[0];
+  const BoxTree::Sweep sweep = sweepOf(a, b);
+  if (!BoxTree::overlap(rootA, sweep, rootB)) return;
+  m_touching = kTouching * settings.contactDistance;
+  m_edgeDepth = m_limits.edgeDepth * std::min(a.topology().thickness, b.topology().thickness);
   m_out = &out;
   m_counts = &counts;
   ++m_mark;
   prepare(m_a, a, ownersA);
   prepare(m_b, b, ownersB);
-  BoxTree::walkPairs(a.tree(), b.tree(), [this](int ta, int tb) { trianglePair(ta, tb); });
+  BoxTree::walkPairs(a.tree(), b.tree(), sweep, [this](int ta, int tb) { trianglePair(ta, tb); });
 
   // A surface that the other swallows whole meets no triangle; one vertex tells.
   const auto within = [](const BoxTree::Node& small, const BoxTree::Node& large) {
@@ -48,12 +52,35 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
   followInside(m_b, m_a);
 }
 
+/// How far the drift of A against that of B carries it within the step, in any mixture of their motions. Boxes hold
+/// what a surface does against its own drift only, so that what moves together is not near because it is fast.
+BoxTree::Sweep PairSearch::sweepOf(const MovingSurface& a, const MovingSurface& b) {
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  for (int i = 0; i < m_settings.motionCount; ++i)
+    for (int j = 0; j < m_settings.motionCount; ++j) {
+      const Vec3 way = m_settings.dt * (a.drift(i) - b.drift(j));
+      low = low.cwiseMin(way);
+      high = high.cwiseMax(way);
+    }
+  low = low.cwiseMax(-m_ahead);
+  high = high.cwiseMin(m_ahead);
+  m_swept = low.cwiseAbs().cwiseMax(high).norm();
+  BoxTree::Sweep sweep;
+  const float slack = m_swept > 0 ? 2 * std::max(a.laneSlack(), b.laneSlack()) : 0;
+  for (int k = 0; k < 3; ++k) {
+    sweep.low[k] = BoxTree::roundDown(low[k]) - slack;
+    sweep.high[k] = BoxTree::roundUp(high[k]) + slack;
+  }
+  if (m_swept == 0) sweep = {};
+  return sweep;
+}
+
 void PairSearch::trianglePair(int ta, int tb) {
   ++m_counts->trianglePairs;
   const std::uint8_t ownA = m_a.owners->ofTriangle[ta], ownB = m_b.owners->ofTriangle[tb];
   if ((ownA | ownB) & FeatureOwners::kSkipped) return;
   const MovingSurface &a = *m_a.surface, &b = *m_b.surface;
-  const double reach = a.margin(ta) + b.margin(tb), behind = std::max(m_limits.edgeDepth, reach);
+  const double margins = a.margin(ta) + b.margin(tb), reach = margins + m_swept, behind = std::max(m_edgeDepth, reach);
 
   // Most pairs end here, far apart although their boxes overlap, so they are asked in single precision first, with
   // thresholds that its errors cannot cross: is there a feature to try or can the triangles meet at all, and is one
@@ -65,7 +92,7 @@ void PairSearch::trianglePair(int ta, int tb) {
   const int softA = ownA >> 3 & bendsA.dentable, softB = ownB >> 3 & bendsB.dentable;
   const bool edges = (convexA && convexB) || (sharpA && softB) || (softA && sharpB);
   const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
-                                    static_cast<float>(reach) - slack);
+                                    static_cast<float>(margins) - slack);
   if (!meetable && !((ownA | ownB) & 7) && !edges) return;
   const float high = static_cast<float>(reach) + slack, low = static_cast<float>(behind) + slack;
   const PlaneView overB = viewOver(a.lanes(ta), b.lanes(tb), high, low, slack);
@@ -105,7 +132,7 @@ bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first
     closingB = motion == 0 ? ofB : std::max(closingB, ofB);
   }
   const double ahead = (closingA + closingB) * m_settings.dt;
-  return gap < m_settings.contactDistance + std::clamp(ahead, 0.0, m_limits.lookAhead);
+  return gap < m_settings.contactDistance + std::clamp(ahead, 0.0, m_ahead);
 }
 
 }  // namespace glenoid

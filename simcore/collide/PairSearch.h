@@ -4,6 +4,7 @@
 
 #include "simcore/collide/FeatureOwners.h"
 #include "simcore/collide/MovingSurface.h"
+#include "simcore/collide/NormalCone.h"
 #include "simcore/collide/ProximityFinder.h"
 
 namespace glenoid {
@@ -17,13 +18,19 @@ class PairSearch {
   struct Settings {
     int pair = 0, motionCount = 0;
     double contactDistance = 0, dt = 0;
+    std::span<const LastNormal> last;
   };
   void run(const Settings& settings, MovingSurface& a, const FeatureOwners& ownersA, MovingSurface& b,
            const FeatureOwners& ownersB, std::vector<Proximity>& out, ProximityFinder::Counts& counts);
 
  private:
-  /// Distances below this are taken as touching: the direction between two points says nothing any more. m.
-  static constexpr double kTouching = 1e-9;
+  /// Sine of the angle by which a contact's normal may leave the cones of its features: bumps, and the facets that a
+  /// curved surface is made of.
+  static constexpr double kWidened = 0.03;
+  /// The same where surfaces overlap, of both cones together: what is more is no way out.
+  static constexpr double kOverlapped = 0.5;
+  /// Share of the contact distance below which two points touch: the direction between them says nothing any more.
+  static constexpr double kTouching = 1e-4;
 
   /// One of the two surfaces, with marks for each of its vertices; a mark holds while it equals m_mark.
   struct Side {
@@ -35,25 +42,45 @@ class PairSearch {
   };
 
   void prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners);
+  BoxTree::Sweep sweepOf(const MovingSurface& a, const MovingSurface& b);
   void trianglePair(int ta, int tb);
+
+  // PairVertices.cpp
   void vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle);
+  void vertexTouches(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
+                     const MovingSurface::Feature& feature, const Vec3& apart);
   void acrossValleys(Side& mine, Side& other, int vertex, int triangle);
   void emitPlane(Side& mine, Side& other, int vertex, int triangle, double sine);
-  void edgeNearEdge(int ea, int eb);
-  void suspect(Side& mine, int vertex);
-  void followInside(Side& mine, Side& other);
-  bool inDepth(Side& side, const Vec3& p, double depth);
   bool nearestLocally(const MovingSurface& surface, const MovingSurface::Feature& feature, const Vec3& foot,
                       const Vec3& away) const;
+  /// Whether the vertex is a nearest point of its own surface to what it meets along the unit vector `outward` from it
+  /// (the normal of the other's triangle): −outward lies in its normal cone, now or as it will have turned by the end of
+  /// the step.
+  bool facesItself(Side& mine, Side& other, int vertex, int triangle, const Vec3& outward);
   void emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                   const MovingSurface::Feature& feature, const Vec3& outward, double gap);
+  std::uint64_t vertexKey(const Side& mine, int vertex, const MovingSurface::Feature& feature) const;
+  const Vec3* lastNormal(std::uint64_t key) const;
+
+  // PairInside.cpp
+  void suspect(Side& mine, int vertex);
+  void followInside(Side& mine, Side& other);
+  double leavesCone(Side& mine, int vertex, const Vec3& outward);
+
+  // PairEdges.cpp
+  void edgeNearEdge(int ea, int eb);
+  bool facesAlong(const MovingSurface& surface, int e, const Vec3& n) const;
+  bool inDepth(Side& side, const Vec3& p, double depth);
+
   /// Whether points a of `first` and b of `second`, gap apart along the normal, come near in one of the motions.
   bool near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a, const MovingSurface& second,
             const FeaturePoint& b) const;
 
   ProximityLimits m_limits;
   Settings m_settings;
+  double m_touching = 0, m_ahead = 0, m_edgeDepth = 0, m_swept = 0;  ///< of this pair, m
   Side m_a, m_b;
+  NormalCone m_cone, m_against;
   std::vector<int> m_next;
   long m_mark = 0;
   std::vector<Proximity>* m_out = nullptr;

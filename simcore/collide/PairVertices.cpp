@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices near faces, edges and vertices of the other surface, and those inside it.
+// Vertices that are near faces, edges and vertices of the other surface, from outside or touching.
 #include <algorithm>
 
 #include "simcore/collide/FeatureKey.h"
@@ -10,12 +10,10 @@
 namespace glenoid {
 namespace {
 
-/// Two constraints of one vertex whose feet are nearer than this are the same contact on two features. m.
-constexpr double kSameFoot = 1e-6;
-/// Slack of the Voronoi test, m²: far below (edge length) × (contact distance), far above rounding.
-constexpr double kVoronoiSlack = 1e-12;
-/// A vertex whose own normal points along the contact normal more than this lies on the far side of its body.
-constexpr double kFarSide = 0.5;
+/// Share of what touches within which two feet of one vertex are the same contact on two features.
+constexpr double kSameFoot = 10;
+/// Rounding of the sines that the Voronoi test takes.
+constexpr double kRounding = 1e-9;
 /// Sine of the angle by which two faces must rise toward each other to make a valley.
 constexpr double kValley = 1e-3;
 
@@ -26,6 +24,12 @@ bool isValley(const MovingSurface& surface, int e) {
   return surface.faceNormal(edge.triangles[0]).dot(away) > kValley * away.norm();
 }
 
+/// Whether a·b is above a sine times both lengths.
+bool leans(const Vec3& a, const Vec3& b, double sine) {
+  const double along = a.dot(b);
+  return along > 0 && along * along > sine * sine * a.squaredNorm() * b.squaredNorm();
+}
+
 }  // namespace
 
 /// Whether no point of the surface beside the feature is nearer than the foot, `away` being the way from it.
@@ -33,15 +37,46 @@ bool PairSearch::nearestLocally(const MovingSurface& surface, const MovingSurfac
                                 const Vec3& foot, const Vec3& away) const {
   const CollisionSurface& s = surface.topology();
   if (feature.kind == FeatureKind::Edge) {
-    for (const int v : s.edges[feature.id].opposite) {
-      if (v >= 0 && away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
-    }
+    for (const int v : s.edges[feature.id].opposite)
+      if (v >= 0 && leans(away, surface.x(v) - foot, kRounding)) return false;
   } else if (feature.kind == FeatureKind::Vertex) {
     for (const int e : s.edgesOf(feature.id)) {
       const auto& ends = s.edges[e].vertices;
-      const int v = ends[0] == feature.id ? ends[1] : ends[0];
-      if (away.dot(surface.x(v) - foot) > kVoronoiSlack) return false;
+      if (leans(away, surface.x(ends[0] == feature.id ? ends[1] : ends[0]) - foot, kRounding)) return false;
     }
+  }
+  return true;
+}
+
+bool PairSearch::facesItself(Side& mine, Side& other, int vertex, int triangle, const Vec3& outward) {
+  MovingSurface& surface = *mine.surface;
+  const Vec3& normal = surface.vertexNormal(vertex);
+  const double looks = outward.dot(normal);
+  if (looks > 0 && looks * looks > kWidened * kWidened * normal.squaredNorm()) return false;
+  const Vec3& x = surface.x(vertex);
+  double turn = -1;  // by how much the other's triangle may turn within the step, rad; worked out when it matters
+  for (const int e : surface.topology().edgesOf(vertex)) {
+    const auto& ends = surface.topology().edges[e].vertices;
+    const int y = ends[0] == vertex ? ends[1] : ends[0];
+    const Vec3 way = surface.x(y) - x;
+    const double rise = outward.dot(way);
+    if (rise >= 0 || rise * rise <= kWidened * kWidened * way.squaredNorm()) continue;
+    // The neighbour lies nearer. It may not do so any more at the end of the step, if it or the other's triangle turns.
+    const MovingSurface& facing = *other.surface;
+    double change = 0;
+    for (int motion = 0; motion < m_settings.motionCount; ++motion)
+      change = std::max(change, m_settings.dt * outward.dot(surface.v(motion, y) - surface.v(motion, vertex)));
+    if (turn < 0) {
+      turn = 0;
+      const auto& corners = facing.topology().triangles[triangle];
+      for (int motion = 0; motion < m_settings.motionCount; ++motion)
+        for (int k = 0; k < 3; ++k) {
+          const int i = corners[k], j = corners[(k + 1) % 3];
+          const double lift = m_settings.dt * std::abs(outward.dot(facing.v(motion, j) - facing.v(motion, i)));
+          if (lift > 0) turn = std::max(turn, lift / (facing.x(j) - facing.x(i)).norm());
+        }
+    }
+    if (rise + change < -(kWidened + turn) * way.norm()) return false;
   }
   return true;
 }
@@ -56,30 +91,49 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
   const MovingSurface::Feature feature = surface.featureOf(triangle, w);
   if (feature.kind == FeatureKind::Face) {
     const double gap = surface.height(triangle, p);
-    if (gap < 0) return suspect(mine, vertex);
+    if (gap < -m_touching) return suspect(mine, vertex);
     return emitVertex(mine, other, vertex, triangle, w, feature, surface.faceNormal(triangle), gap);
   }
   const Vec3 foot = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
   const Vec3 away = p - foot;
   const double distance = away.norm();
-  if (distance > m_settings.contactDistance + m_limits.lookAhead) return;
+  if (distance > m_settings.contactDistance + m_ahead) return;
   const std::uint8_t own = other.owners->ofTriangle[triangle];
   const auto& corners = surface.topology().triangles[triangle];
   const auto& sides = surface.topology().triangleEdges[triangle];
   const auto& ids = feature.kind == FeatureKind::Edge ? sides : corners;
   const int place = ids[0] == feature.id ? 0 : (ids[1] == feature.id ? 1 : 2);
   if (!(own >> (place + (feature.kind == FeatureKind::Edge ? 3 : 0)) & 1)) return;
+  if (distance < m_touching) return vertexTouches(mine, other, vertex, triangle, w, feature, away);
   if (!nearestLocally(surface, feature, foot, away)) return;
-  const Vec3 pseudo = surface.normalOf(feature);
-  if (distance < kTouching) {
-    if (pseudo.isZero(0)) return;
-    return emitVertex(mine, other, vertex, triangle, w, feature, pseudo.stableNormalized(), 0);
-  }
-  if (away.dot(pseudo) < 0) return suspect(mine, vertex);
+  if (away.dot(surface.normalOf(feature)) < 0) return suspect(mine, vertex);
   emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
 }
 
-/// Outside: the vertex must be near and not on the far side of its own body. Inside (gap < 0): always.
+/// On an edge or a vertex of the other surface, to within rounding: the direction is one that both features allow.
+void PairSearch::vertexTouches(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
+                               const MovingSurface::Feature& feature, const Vec3& apart) {
+  m_cone.take(*other.surface, feature);
+  m_against.take(*mine.surface, {FeatureKind::Vertex, vertex});
+  const Vec3* last = lastNormal(vertexKey(mine, vertex, feature));
+  const Vec3 before = last ? Vec3(&mine == &m_a ? *last : -*last) : Vec3();
+  const std::optional<Vec3> outward = sharedNormal(m_cone, m_against, kWidened, kOverlapped, last ? &before : nullptr);
+  if (outward) emitVertex(mine, other, vertex, triangle, barycentric, feature, *outward, outward->dot(apart));
+}
+
+std::uint64_t PairSearch::vertexKey(const Side& mine, int vertex, const MovingSurface::Feature& feature) const {
+  return &mine == &m_a ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
+                       : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
+}
+
+const Vec3* PairSearch::lastNormal(std::uint64_t key) const {
+  const auto found = std::lower_bound(m_settings.last.begin(), m_settings.last.end(), key,
+                                      [](const LastNormal& known, std::uint64_t wanted) { return known.key < wanted; });
+  return found != m_settings.last.end() && found->key == key ? &found->normal_W : nullptr;
+}
+
+/// Outside or touching a face: the vertex must be near and nearest of its own surface. Touching an edge or a vertex: the
+/// direction says that already. Inside: always.
 void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                             const MovingSurface::Feature& feature, const Vec3& outward, double gap) {
   const bool first = &mine == &m_a;
@@ -91,14 +145,11 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
   foot = trianglePoint(other.surface->topology().triangles[triangle], barycentric);
   contact.normal_W = first ? outward : Vec3(-outward);
   contact.gap = gap;
-  if (gap >= 0) {
+  if (gap >= m_touching || (feature.kind == FeatureKind::Face && gap >= -m_touching)) {
     if (!near(gap, outward, *mine.surface, own, *other.surface, foot)) return;
-    const Vec3& normal = mine.surface->vertexNormal(vertex);
-    if (normal.dot(outward) > kFarSide * normal.norm()) return;
+    if (!facesItself(mine, other, vertex, triangle, outward)) return;
   }
-  contact.key =
-      first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
-            : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
+  contact.key = vertexKey(mine, vertex, feature);
 
   if (feature.kind == FeatureKind::Edge && isValley(*other.surface, feature.id)) {
     // At the bottom of a valley the direction to the edge is that of neither face, and rounding if they touch.
@@ -118,9 +169,10 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
     return x;
   };
   const Vec3 here = footPosition(foot);
+  const double same = kSameFoot * m_touching;
   for (int i = mine.chain[vertex]; i >= 0; i = m_next[i]) {
     Proximity& known = (*m_out)[i];
-    if ((footPosition(first ? known.b : known.a) - here).squaredNorm() > kSameFoot * kSameFoot) continue;
+    if ((footPosition(first ? known.b : known.a) - here).squaredNorm() > same * same) continue;
     if (contact.key < known.key) known = contact;
     return;
   }
@@ -158,72 +210,23 @@ void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, do
   double slide = 0;
   for (int motion = 0; motion < m_settings.motionCount; ++motion)
     slide = std::max(slide, m_settings.dt * (mine.surface->v(motion, vertex) - velocityOf(surface, motion, foot)).norm());
-  const double reach = m_settings.contactDistance + std::min(slide, m_limits.lookAhead);
+  const double reach = m_settings.contactDistance + std::min(slide, m_ahead);
   // Sliding brings the vertex nearer to the plane by the sine of their angle at most.
-  if (gap > reach * sine || gap < -m_limits.depth) return;
+  if (gap > reach * sine || gap < -m_limits.depth * surface.topology().thickness) return;
   const Vec3 to = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
   if ((p - to).squaredNorm() > reach * reach + gap * gap) return;
-  const Vec3& own = mine.surface->vertexNormal(vertex);
-  if (own.dot(n) > kFarSide * own.norm()) return;
-  const bool first = &mine == &m_a;
+  if (!facesItself(mine, other, vertex, triangle, n)) return;
   Proximity contact;
   contact.pair = m_settings.pair;
   contact.gap = gap;
+  const bool first = &mine == &m_a;
   contact.normal_W = first ? n : Vec3(-n);
   (first ? contact.a : contact.b) = vertexPoint(vertex);
   (first ? contact.b : contact.a) = foot;
-  contact.key = first ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, FeatureKind::Face, triangle)
-                      : FeatureKey::make(m_settings.pair, FeatureKind::Face, triangle, FeatureKind::Vertex, vertex);
+  contact.key = vertexKey(mine, vertex, {FeatureKind::Face, triangle});
   m_next.resize(m_out->size() + 1);
   m_next[m_out->size()] = -1;
   m_out->push_back(contact);
-}
-
-void PairSearch::suspect(Side& mine, int vertex) {
-  if (mine.queueMark[vertex] == m_mark) return;
-  mine.queueMark[vertex] = m_mark;
-  mine.queue.push_back(vertex);
-}
-
-/// From the vertices where the surfaces meet along the edges to all that are inside: each is pushed out
-/// through the nearest face.
-void PairSearch::followInside(Side& mine, Side& other) {
-  MovingSurface& surface = *other.surface;
-  for (std::size_t i = 0; i < mine.queue.size(); ++i) {
-    const int vertex = mine.queue[i];
-    if (!mine.owners->vertexTakesPart[vertex]) continue;
-    const Vec3& p = mine.surface->x(vertex);
-    ++m_counts->depthQueries;
-    MovingSurface::Nearest nearest = surface.nearest(p, m_limits.depth);
-    if (nearest.triangle < 0 || !nearest.inside) continue;
-    for (const int e : mine.surface->topology().edgesOf(vertex)) {
-      const auto& ends = mine.surface->topology().edges[e].vertices;
-      suspect(mine, ends[0] == vertex ? ends[1] : ends[0]);
-    }
-
-    // In a thin sheet the far face may be nearer; a face that looks at the vertex's own side goes before it.
-    const auto outwardOf = [&](const MovingSurface::Nearest& found) -> Vec3 {
-      if (found.feature.kind == FeatureKind::Face) return surface.faceNormal(found.triangle);
-      const Vec3 way = found.point - p;
-      return found.distance > kTouching ? Vec3(way / found.distance)
-                                        : Vec3(surface.normalOf(found.feature).stableNormalized());
-    };
-    Vec3 outward = outwardOf(nearest);
-    const Vec3 own = mine.surface->vertexNormal(vertex).stableNormalized();
-    if (own.dot(outward) > kFarSide && nearest.distance > kTouching) {
-      ++m_counts->depthQueries;
-      const double reach = std::min(m_limits.depth, 3 * nearest.distance);
-      const MovingSurface::Nearest facing = surface.nearestFacing(p, reach, own, -0.2);
-      if (facing.triangle >= 0) {
-        nearest = facing;
-        outward = surface.faceNormal(facing.triangle);
-      }
-    }
-    if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
-    if (outward.isZero(0)) continue;
-    emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward,
-               -nearest.distance);
-  }
 }
 
 }  // namespace glenoid

@@ -45,13 +45,13 @@ ProximityFinder& ProximityFinder::operator=(ProximityFinder&&) noexcept = defaul
 
 const std::vector<Proximity>& ProximityFinder::find(std::span<const std::span<const Vec3>> positions,
                                                     std::span<const std::span<const Vec3>> velocities,
-                                                    double contactDistance, double dt) {
-  return findAlong(positions, std::span<const Motion>(&velocities, velocities.empty() ? 0 : 1), contactDistance, dt);
+                                                    double contactDistance, double dt, std::span<const LastNormal> last) {
+  return findAlong(positions, std::span<const Motion>(&velocities, velocities.empty() ? 0 : 1), contactDistance, dt, last);
 }
 
 const std::vector<Proximity>& ProximityFinder::findAlong(std::span<const std::span<const Vec3>> positions,
                                                          std::span<const Motion> motions, double contactDistance,
-                                                         double dt) {
+                                                         double dt, std::span<const LastNormal> last) {
   Work& w = *m_work;
   assert(positions.size() == w.surfaces.size());
   assert(motions.size() <= kMotionsMost);
@@ -62,11 +62,11 @@ const std::vector<Proximity>& ProximityFinder::findAlong(std::span<const std::sp
     if (!w.used[s]) continue;
     std::array<std::span<const Vec3>, kMotionsMost> velocities;
     for (int m = 0; m < motionCount; ++m) velocities[m] = motions[m][s];
-    w.moving[s].update(positions[s], {velocities.data(), motions.size()}, contactDistance, dt, w.limits.lookAhead);
+    w.moving[s].update(positions[s], {velocities.data(), motions.size()}, contactDistance, dt);
   }
   for (std::size_t p = 0; p < w.pairs.size(); ++p) {
     const CollisionPair& pair = w.pairs[p];
-    w.search.run({static_cast<int>(p), motionCount, contactDistance, dt}, w.moving[pair.surfaceA], w.owners[p][0],
+    w.search.run({static_cast<int>(p), motionCount, contactDistance, dt, last}, w.moving[pair.surfaceA], w.owners[p][0],
                  w.moving[pair.surfaceB], w.owners[p][1], w.result, w.counts);
   }
   std::sort(w.result.begin(), w.result.end(), [](const Proximity& a, const Proximity& b) {

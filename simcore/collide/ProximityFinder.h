@@ -8,15 +8,21 @@
 
 namespace glenoid {
 
-/// Lengths that bound the search, m. The defaults suit a joint in metres.
+/// What bounds the search, in shares of the surfaces' own thickness (CollisionSurface), so that a scene of any size is
+/// searched alike.
 struct ProximityLimits {
-  double depth = 4e-3;      ///< a vertex deeper inside than this gives no constraint
-  double edgeDepth = 2e-3;  ///< the same for two edges that have passed each other
-  double lookAhead = 2e-3;  ///< most that closing speed × dt adds to the contact distance
+  double depth = 1;        ///< of the surface that a vertex is inside: deeper it gives no constraint
+  double edgeDepth = 0.5;  ///< of the thinner surface: the same for two edges that have passed each other
+};
+
+/// Normal of a contact in the last step, by key: what decides between equal directions.
+struct LastNormal {
+  std::uint64_t key = 0;
+  Vec3 normal_W = Vec3::UnitY();
 };
 
 /// Finds the feature pairs of two surfaces that are near or inside each other: the contact constraints of one
-/// step. Stateless between calls except for scratch, so equal positions give equal results, whatever came
+/// step. Stateless between calls except for scratch, so equal input gives equal results, whatever came
 /// before. Wrong to use for a surface against itself. README.md of this folder has the mathematics.
 /// Frames: W. Units: m, m/s, s. Answers are sorted by key. Allocates nothing once the most contacts have been
 /// seen. One thread at a time. Not-finite positions give no contact for the surfaces concerned.
@@ -30,16 +36,18 @@ class ProximityFinder {
 
   /// positions[s] and velocities[s] hold one entry for each vertex of surface s; `velocities`, or one of its
   /// entries, may be empty: at rest. A pair of features counts when gap < contactDistance + look-ahead, with
-  /// look-ahead = min(limits.lookAhead, max(0, −normal · (v_a − v_b)) dt). Valid until the next call.
+  /// look-ahead = max(0, −normal · (v_a − v_b)) dt, at most twice the sizes of both surfaces. `last` ascends by key.
+  /// Valid until the next call.
   const std::vector<Proximity>& find(std::span<const std::span<const Vec3>> positions,
                                      std::span<const std::span<const Vec3>> velocities,
-                                     double contactDistance, double dt);
+                                     double contactDistance, double dt, std::span<const LastNormal> last = {});
 
   /// Velocities of all surfaces as they may be in this step, laid out like find()'s.
   using Motion = std::span<const std::span<const Vec3>>;
   /// The same for several motions, at most kMotionsMost: what may come near, each surface following any of them.
   const std::vector<Proximity>& findAlong(std::span<const std::span<const Vec3>> positions,
-                                          std::span<const Motion> motions, double contactDistance, double dt);
+                                          std::span<const Motion> motions, double contactDistance, double dt,
+                                          std::span<const LastNormal> last = {});
   static constexpr int kMotionsMost = 4;
 
   const std::vector<CollisionPair>& pairs() const;

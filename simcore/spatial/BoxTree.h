@@ -99,37 +99,34 @@ class BoxTree {
     }
   }
 
-  /// Calls visit(itemA, itemB) for every two leaves whose boxes overlap. Pairs of children are always written
-  /// to the stack and kept by moving its top: whether they overlap is too irregular for the branch predictor.
+  /// How far one tree's boxes may be carried against another's, per axis: from `low` ≤ 0 to `high` ≥ 0.
+  struct alignas(16) Sweep {
+    std::array<float, 4> low{}, high{};
+    bool none() const { return low == std::array<float, 4>{} && high == std::array<float, 4>{}; }
+  };
+  static bool overlap(const Node& a, const Sweep& sweep, const Node& b) {
+#ifdef __SSE2__
+    const __m128 lowA = _mm_add_ps(_mm_load_ps(a.low.data()), _mm_load_ps(sweep.low.data()));
+    const __m128 highA = _mm_add_ps(_mm_load_ps(a.high.data()), _mm_load_ps(sweep.high.data()));
+    const __m128 lowB = _mm_load_ps(b.low.data()), highB = _mm_load_ps(b.high.data());
+    return (_mm_movemask_ps(_mm_and_ps(_mm_cmple_ps(lowA, highB), _mm_cmple_ps(lowB, highA))) & 7) == 7;
+#else
+    bool yes = true;
+    for (int k = 0; k < 3; ++k)
+      yes &= (a.low[k] + sweep.low[k] <= b.high[k]) & (b.low[k] <= a.high[k] + sweep.high[k]);
+    return yes;
+#endif
+  }
+
+  /// Calls visit(itemA, itemB) for every two leaves whose boxes overlap, those of `a` carried as far as `sweep` says.
+  template <class Visit>
+  static void walkPairs(const BoxTree& a, const BoxTree& b, const Sweep& sweep, Visit&& visit) {
+    if (sweep.none()) return walkPairs(a, b, visit);
+    walkPairsWhere(a, b, visit, [&sweep](const Node& i, const Node& j) { return overlap(i, sweep, j); });
+  }
   template <class Visit>
   static void walkPairs(const BoxTree& a, const BoxTree& b, Visit&& visit) {
-    if (a.empty() || b.empty() || !overlap(a.m_nodes[0], b.m_nodes[0])) return;
-    std::array<std::array<std::int32_t, 2>, 3 * kMaxDepth + 4> stack;
-    int top = 0;
-    const auto push = [&](std::int32_t i, std::int32_t j) {
-      stack[top] = {i, j};
-      top += overlap(a.m_nodes[i], b.m_nodes[j]);
-    };
-    push(0, 0);
-    while (top > 0) {
-      const auto [i, j] = stack[--top];
-      const Node& na = a.m_nodes[i];
-      const Node& nb = b.m_nodes[j];
-      if (!na.leaf() && !nb.leaf()) {
-        push(na.second, nb.second);
-        push(na.second, nb.first);
-        push(na.first, nb.second);
-        push(na.first, nb.first);
-      } else if (!na.leaf()) {
-        push(na.second, j);
-        push(na.first, j);
-      } else if (!nb.leaf()) {
-        push(i, nb.second);
-        push(i, nb.first);
-      } else {
-        visit(na.item(), nb.item());
-      }
-    }
+    walkPairsWhere(a, b, visit, [](const Node& i, const Node& j) { return overlap(i, j); });
   }
 
   /// Nearest item: evaluate(item, best) returns the squared distance of an item, or anything ≥ best if it is
@@ -165,6 +162,39 @@ class BoxTree {
   }
 
  private:
+  /// Pairs of children are always written to the stack and kept by moving its top: whether they overlap is too
+  /// irregular for the branch predictor.
+  template <class Visit, class Meets>
+  static void walkPairsWhere(const BoxTree& a, const BoxTree& b, Visit&& visit, Meets&& meets) {
+    if (a.empty() || b.empty() || !meets(a.m_nodes[0], b.m_nodes[0])) return;
+    std::array<std::array<std::int32_t, 2>, 3 * kMaxDepth + 4> stack;
+    int top = 0;
+    const auto push = [&](std::int32_t i, std::int32_t j) {
+      stack[top] = {i, j};
+      top += meets(a.m_nodes[i], b.m_nodes[j]);
+    };
+    push(0, 0);
+    while (top > 0) {
+      const auto [i, j] = stack[--top];
+      const Node& na = a.m_nodes[i];
+      const Node& nb = b.m_nodes[j];
+      if (!na.leaf() && !nb.leaf()) {
+        push(na.second, nb.second);
+        push(na.second, nb.first);
+        push(na.first, nb.second);
+        push(na.first, nb.first);
+      } else if (!na.leaf()) {
+        push(na.second, j);
+        push(na.first, j);
+      } else if (!nb.leaf()) {
+        push(i, nb.second);
+        push(i, nb.first);
+      } else {
+        visit(na.item(), nb.item());
+      }
+    }
+  }
+
   static constexpr double kUlp = std::numeric_limits<float>::epsilon();
   static constexpr double kTiny = std::numeric_limits<float>::min();
 

@@ -125,6 +125,7 @@ struct Stepper::Work {
   std::array<Spans, ProximityFinder::kMotionsMost> velocitySpans;
   int motionCount = 0;
   VecX solved;                        ///< velocities of all objects as the last solve left them
+  std::vector<LastNormal> lastNormals;   ///< of the contacts that pressed in the last step
   const std::vector<Proximity>* proximities = nullptr;
   std::vector<FilmSearch> filmSearches;  ///< one for each bursa
   std::vector<const std::vector<FilmTouch>*> films;  ///< what they found

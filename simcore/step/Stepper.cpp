@@ -28,11 +28,6 @@ const char* stageName(Stage stage) {
   return "";
 }
 
-namespace {
-/// Most that the search looks ahead, m: a bound for what moves absurdly. What moves slowly is looked for near by.
-constexpr double kLookAhead = 0.25;
-}  // namespace
-
 const char* solverName(const Model& model, Profile profile) {
   switch (profile) {
     case Profile::Direct:
@@ -70,9 +65,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.turnStiffness = turnStiffnessOf(*work.inside);
   work.solved.setZero(work.model->start.v.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
-  ProximityLimits limits;
-  limits.lookAhead = kLookAhead;
-  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs, limits);
+  work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs);
   for (const FilmModel& film : work.inside->films)
     work.filmSearches.emplace_back(film.sides, work.model->collisionSurfaces, film.thickness, film.firstKey);
   work.films.resize(work.filmSearches.size());
@@ -117,7 +110,9 @@ void Stepper::Work::findProximities(const State& state) {
   }
   motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
-  proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt);
+  lastNormals.clear();
+  for (const State::Impulse& impulse : state.impulses) lastNormals.push_back({impulse.key, impulse.normal_W});
+  proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt, lastNormals);
   if (inside->films.empty()) return;
   const StageClock filmClock(collideReport, Stage::Bursa);
   for (std::size_t f = 0; f < films.size(); ++f) films[f] = &filmSearches[f].find(positionSpans);
@@ -151,7 +146,7 @@ bool Stepper::Work::searchAgain(const State& state) {
   for (int motion = 0; motion < motionCount; ++motion) motions[motion] = velocitySpans[motion];
   const StageClock clock(report, Stage::Collide);
   const std::span<const ProximityFinder::Motion> used(motions.data(), static_cast<std::size_t>(motionCount));
-  proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt);
+  proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt, lastNormals);
   return true;
 }
 
@@ -173,7 +168,7 @@ void integrate(Stepper::Work& work, State& state) {
   if (work.inside->contact)
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
       if (const StepContact& contact = work.contacts[c]; contact.impulse > 0 && !contact.bed)
-        state.impulses.push_back({contact.near->key, contact.impulse, contact.friction_W});
+        state.impulses.push_back({contact.near->key, contact.impulse, contact.friction_W, contact.near->normal_W});
   for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
 }
 

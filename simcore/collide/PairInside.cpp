@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices that are inside the other surface, and the way out that their own surface allows.
+#include <algorithm>
+
+#include "simcore/collide/PairSearch.h"
+
+namespace glenoid {
+
+void PairSearch::suspect(Side& mine, int vertex) {
+  if (mine.queueMark[vertex] == m_mark) return;
+  mine.queueMark[vertex] = m_mark;
+  mine.queue.push_back(vertex);
+}
+
+/// Sine of the angle by which −outward lies outside the normal cone of the vertex; not above zero inside.
+double PairSearch::leavesCone(Side& mine, int vertex, const Vec3& outward) {
+  MovingSurface& surface = *mine.surface;
+  double most = outward.dot(surface.vertexNormal(vertex).stableNormalized());
+  for (const int e : surface.topology().edgesOf(vertex)) {
+    const auto& ends = surface.topology().edges[e].vertices;
+    const Vec3 way = surface.x(ends[0] == vertex ? ends[1] : ends[0]) - surface.x(vertex);
+    const double length = way.norm();
+    if (length > 0) most = std::max(most, -outward.dot(way) / length);
+  }
+  return most;
+}
+
+/// From the vertices where the surfaces meet along the edges to all that are inside. Each is pushed out the nearest way
+/// that its own surface allows: through a face that its normal cone, widened, looks at. That is neither the side of a box
+/// on which its corner stands, nor the far side of a sheet. Where nothing is allowed, as at a concave vertex in a dent,
+/// the nearest way it is.
+void PairSearch::followInside(Side& mine, Side& other) {
+  MovingSurface& surface = *other.surface;
+  const double reach = m_limits.depth * surface.topology().thickness;
+  for (std::size_t i = 0; i < mine.queue.size(); ++i) {
+    const int vertex = mine.queue[i];
+    if (!mine.owners->vertexTakesPart[vertex]) continue;
+    const Vec3& p = mine.surface->x(vertex);
+    ++m_counts->depthQueries;
+    MovingSurface::Nearest nearest = surface.nearest(p, reach);
+    if (nearest.triangle < 0) continue;
+    const bool touches = nearest.distance < m_touching;
+    if (!nearest.inside && !touches) continue;
+    if (nearest.inside)
+      for (const int e : mine.surface->topology().edgesOf(vertex)) {
+        const auto& ends = mine.surface->topology().edges[e].vertices;
+        suspect(mine, ends[0] == vertex ? ends[1] : ends[0]);
+      }
+
+    Vec3 outward = nearest.feature.kind == FeatureKind::Face ? surface.faceNormal(nearest.triangle)
+                   : touches                                 ? Vec3(surface.normalOf(nearest.feature).stableNormalized())
+                                                             : Vec3((nearest.point - p) / nearest.distance);
+    if (outward.isZero(0) || leavesCone(mine, vertex, outward) > kOverlapped) {
+      ++m_counts->depthQueries;
+      const auto allowed = [&](const Vec3& normal) { return leavesCone(mine, vertex, normal) <= kOverlapped; };
+      const MovingSurface::Nearest facing = surface.nearestFace(p, reach, m_touching, allowed);
+      if (facing.triangle >= 0) {
+        nearest = facing;
+        outward = surface.faceNormal(facing.triangle);
+      } else if (touches) {
+        continue;
+      }
+    } else if (touches) {
+      continue;  // found by what it touches
+    }
+    if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
+    if (outward.isZero(0)) continue;
+    emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward, -nearest.distance);
+  }
+}
+
+}  // namespace glenoid
