@@ -77,6 +77,7 @@ Joint slideJoint(const Slide& slide) {
   if (softPlate) {
     joint.parts.push_back(boxPart("base", 3, PartKind::Rigid, low - s * Vec3(0, 0.01, 0), Vec3(high.x(), low.y(), high.z())));
     Part& sheet = joint.parts[0];
+    sheet.visual = std::make_shared<TriMesh>(boxSurface(low, high, 16));  // a spring at each node below
     sheet.regions.push_back(regionIn(sheet, "below", Box3(low - s * Vec3::Constant(1), Vec3(s, low.y() + 1e-6 * s, s))));
     joint.couplings.push_back({"glue", "plate", "base", "below", 1e8, 1e-3, ""});
     joint.exclusions.push_back({"plate", "base", ""});
