@@ -5,6 +5,13 @@
 #include "simcore/collide/PairSearch.h"
 
 namespace glenoid {
+namespace {
+
+/// How many times as far as the nearest way out, or the contact distance, an allowed one may be: what is swallowed whole
+/// has to leave by one side.
+constexpr double kOtherWay = 3;
+
+}  // namespace
 
 void PairSearch::suspect(Side& mine, int vertex) {
   if (mine.queueMark[vertex] == m_mark) return;
@@ -53,7 +60,8 @@ void PairSearch::followInside(Side& mine, Side& other) {
     if (outward.isZero(0) || leavesCone(mine, vertex, outward) > kOverlapped) {
       ++m_counts->depthQueries;
       const auto allowed = [&](const Vec3& normal) { return leavesCone(mine, vertex, normal) <= kOverlapped; };
-      const MovingSurface::Nearest facing = surface.nearestFace(p, reach, m_touching, allowed);
+      const double further = std::min(reach, std::max(kOtherWay * nearest.distance, m_settings.contactDistance));
+      const MovingSurface::Nearest facing = surface.nearestFace(p, further, m_touching, allowed);
       if (facing.triangle >= 0) {
         nearest = facing;
         outward = surface.faceNormal(facing.triangle);

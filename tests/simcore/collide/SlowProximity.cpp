@@ -60,6 +60,22 @@ struct Mesh {
     return sum > 2 * std::numbers::pi;
   }
 
+  /// Twice the volume over the area, or the shortest side of the box.
+  double thickness() const {
+    double volume = 0, area = 0;
+    for (const auto& t : mesh.triangles) {
+      volume += x(t[0]).dot(x(t[1]).cross(x(t[2]))) / 6;
+      area += (x(t[1]) - x(t[0])).cross(x(t[2]) - x(t[0])).norm() / 2;
+    }
+    return std::min(2 * volume / area, boundsOf(mesh).sizes().minCoeff());
+  }
+  /// Sine of the angle by which −outward leaves the normal cone of vertex v.
+  double leavesCone(int v, const Vec3& outward) const {
+    double most = outward.dot(vertexNormal(v));
+    for (const int y : neighbours[v]) most = std::max(most, -outward.dot((x(y) - x(v)).normalized()));
+    return most;
+  }
+
   /// The two faces rise from the edge toward each other.
   bool valley(const std::array<int, 2>& edge) const {
     const std::vector<int>& t = edges.at(edge);
@@ -143,7 +159,9 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
                                             const std::vector<bool>& deforms) {
   std::map<Name, SlowContact> found;
   const Mesh a(meshA), b(meshB);
+  const double edgeDepth = limits.edgeDepth * std::min(a.thickness(), b.thickness());
   const auto vertices = [&](const Mesh& mine, const Mesh& other, bool first) {
+    const double depthMost = limits.depth * other.thickness();
     const auto put = [&](int v, const Name& feature, const Vec3& outward, double gap) {
       found[first ? join({v}, feature) : join(feature, {v})] = {gap, first ? outward : Vec3(-outward)};
     };
@@ -153,8 +171,8 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       const Vec3 &p = mine.x(v), n = other.normal(t);
       const double gap = n.dot(p - other.x(c[0]));
       const double beside = other.distanceTo(t, p), along = std::sqrt(std::max(0.0, beside * beside - gap * gap));
-      if (gap > contactDistance * sine || along > contactDistance || gap < -limits.depth) return;
-      if (mine.vertexNormal(v).dot(n) > 0.5) return;
+      if (gap > contactDistance * sine || along > contactDistance || gap < -depthMost) return;
+      if (mine.leavesCone(v, n) > 0.03) return;
       Name name(c.begin(), c.end());
       std::sort(name.begin(), name.end());
       put(v, name, n, gap);
@@ -181,16 +199,28 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       const Vec3& p = mine.x(v);
       const bool inside = other.inside(p);
       if (inside) {
-        const Mesh::Foot foot = other.nearestFoot(p);
-        const double depth = (foot.point - p).norm();
-        const Vec3 outward = foot.feature.size() == 3 ? foot.outward : Vec3((foot.point - p) / depth);
-        if (depth < limits.depth) add(v, foot, outward, -depth);
+        Mesh::Foot foot = other.nearestFoot(p);
+        double depth = (foot.point - p).norm();
+        Vec3 outward = foot.feature.size() == 3 ? foot.outward : Vec3((foot.point - p) / depth);
+        if (depth < depthMost && mine.leavesCone(v, outward) > 0.5) {
+          // Out through the nearest face that its own surface looks at, if there is one.
+          double nearest = std::min(depthMost, std::max(3 * depth, contactDistance));
+          for (const Mesh::Foot& way : other.feet(p)) {
+            const double far = (way.point - p).norm();
+            if (way.feature.size() < 3 || way.outward.dot(way.point - p) < 0 || far >= nearest) continue;
+            if (mine.leavesCone(v, way.outward) > 0.5) continue;
+            nearest = depth = far;
+            foot = way;
+            outward = way.outward;
+          }
+        }
+        if (depth < depthMost) add(v, foot, outward, -depth);
       }
       for (const Mesh::Foot& foot : other.feet(p)) {
         const double gap = (p - foot.point).norm();
         if (foot.outward.dot(p - foot.point) < 0 || gap >= contactDistance) continue;
         if (foot.feature.size() < 3 && inside && foot.feature == other.nearestFoot(p).feature) continue;
-        if (mine.vertexNormal(v).dot(foot.outward) > 0.5) continue;
+        if (mine.leavesCone(v, foot.outward) > 0.03) continue;
         // A point behind its edge or vertex lies in a reflex corner; then the pseudo-normal says inside.
         Vec3 pseudo = Vec3::Zero();
         if (foot.feature.size() == 2) {
@@ -218,8 +248,7 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
   const auto steepest = [](const Mesh& m, const std::vector<int>& triangles, const Vec3& n) {
     return std::min(m.normal(triangles[0]).dot(n), m.normal(triangles[1]).dot(n));
   };
-  const auto under = [&](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles, Bend bend, const Vec3& n,
-                         double lean) {
+  const auto under = [&](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles, Bend bend, const Vec3& n) {
     if (bend == Bend::Flat) return steepest(m, triangles, n) > 0.85;
     double highest = -1e30;  // sine of the steepest way up from the edge in one of its faces
     const Vec3 along = (m.x(edge[1]) - m.x(edge[0])).normalized();
@@ -227,7 +256,7 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       const Vec3 away = m.x(m.opposite(t, edge)) - m.x(edge[0]);
       highest = std::max(highest, n.dot((away - away.dot(along) * along).normalized()));
     }
-    return highest <= lean;
+    return highest <= 0.03;
   };
   for (const auto& [ea, ta] : a.edges) {
     const Bend bendA = bendOf(a, ea, ta);
@@ -248,9 +277,8 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       for (const double sign : {1.0, -1.0}) {
         const Vec3 n = sign * da.cross(db).normalized();
         const double gap = n.dot(pa - pb);
-        if (gap >= contactDistance || gap < -limits.edgeDepth) continue;
-        const double lean = std::abs(gap) < 0.25 * contactDistance ? 0.2 : 0;
-        if (!under(b, eb, tb, bendB, n, lean) || !under(a, ea, ta, bendA, -n, lean)) continue;
+        if (gap >= contactDistance || gap < -edgeDepth) continue;
+        if (!under(b, eb, tb, bendB, n) || !under(a, ea, ta, bendA, -n)) continue;
         if (gap < 0) {
           const bool inA = steepest(a, ta, -n) > 0.4, inB = steepest(b, tb, n) > 0.4;
           if (!inA && !inB) continue;

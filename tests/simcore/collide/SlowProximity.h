@@ -7,8 +7,8 @@
 namespace glenoid {
 
 /// What the search should find, by looking at every feature against every other: no tree, no owners, no flood
-/// fill, inside by the winding number, one formula for each kind of feature. At rest (no look-ahead), without
-/// skipped triangles, and without the choice of a facing side in thin sheets.
+/// fill, inside by the winding number, one formula for each kind of feature. At rest (no look-ahead, nothing
+/// turns), without skipped triangles, and without features that touch to within rounding.
 struct SlowContact {
   double gap;
   Vec3 normal_W;
