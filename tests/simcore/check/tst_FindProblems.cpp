@@ -165,8 +165,8 @@ TEST(FindProblems, couplingsThatAreBrokenOrTooSmall) {
   for (Region& region : part.regions)
     if (region.id == joint.couplings[0].regionA) region.triangles.clear();
   problems = findProblems(joint);
-  ASSERT_TRUE(has(problems, ProblemKind::TooFewSprings)) << listed(problems);
-  EXPECT_EQ(problemOf(problems, ProblemKind::TooFewSprings)->count, 0);
+  ASSERT_TRUE(has(problems, ProblemKind::RegionCannotHold)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::RegionCannotHold)->count, 0);
 }
 
 TEST(FindProblems, aLargeBondWithContactIsNoted) {

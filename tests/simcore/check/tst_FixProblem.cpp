@@ -106,7 +106,7 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
     coupling.regionA = "spot";
   }
   const std::string part = coupling.partA, region = coupling.regionA, id = coupling.id;
-  const Joint grown = fixedJoint(joint, ProblemKind::TooFewSprings);
+  const Joint grown = fixedJoint(joint, ProblemKind::RegionCannotHold);
   EXPECT_GT(trianglesOf(*findRegion(grown.parts[findPart(grown, part)], region)).size(), 1u);
 
   // A region that something else uses stays as it is.
@@ -115,7 +115,7 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
   bursa.floor = {{part, region}};
   bursa.roof = {{softPart(joint).id, ""}};
   joint.bursae = {bursa};
-  const Joint copied = fixedJoint(joint, ProblemKind::TooFewSprings);
+  const Joint copied = fixedJoint(joint, ProblemKind::RegionCannotHold);
   EXPECT_EQ(trianglesOf(*findRegion(copied.parts[findPart(copied, part)], region)).size(), 1u);
   for (const Coupling& c : copied.couplings)
     if (c.id == id) {
