@@ -10,8 +10,8 @@ namespace glenoid {
 
 namespace {
 
-/// Four springs each. A region this many cells large costs its cells far more than its springs.
-constexpr std::size_t kMostPieces = 1024;
+/// Four springs each; from here on nothing is halved any more. A region this many cells large costs its cells far more.
+constexpr std::size_t kManyPieces = 1024;
 
 struct Piece {
   std::vector<Triangle> triangles;
@@ -58,17 +58,18 @@ std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, c
   std::vector<Piece> pieces;
   pieces.push_back(pieceOf(std::move(triangles)));
   if (!(pieces[0].moments.area > 0)) return {};
-  for (bool more = true; more && pieces.size() < kMostPieces;) {
+  for (bool more = true; more && pieces.size() < kManyPieces;) {
     more = false;
-    std::vector<Vec3> centres;
-    for (const Piece& piece : pieces) centres.push_back(piece.moments.centre);
-    std::vector<double> edges(pieces.size(), 1e300);
+    std::vector<Vec3> centres;  // of those that may be cut
+    for (const Piece& piece : pieces)
+      if (!piece.whole) centres.push_back(piece.moments.centre);
+    std::vector<double> edges(centres.size(), 1e300);
     takeCells(&part, centres, edges);
     takeCells(other, centres, edges);
     std::vector<Piece> next;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      Piece& piece = pieces[i];
-      if (!piece.whole && piece.length > (1 + 1e-6) * edges[i]) {
+    std::size_t asked = 0;
+    for (Piece& piece : pieces) {
+      if (!piece.whole && piece.length > (1 + 1e-6) * edges[asked++]) {
         const int axis = widestAxis(piece.moments);
         auto [below, above] = cutAt(piece.triangles, axis, piece.moments.centre[axis]);
         if (!below.empty() && !above.empty()) {

@@ -5,6 +5,7 @@
 
 #include "simcore/body/RigidObject.h"
 #include "simcore/coupling/Springs.h"
+#include "simcore/embed/Bind.h"
 #include "simcore/export/ExportParts.h"
 #include "simcore/scene/Start.h"
 
