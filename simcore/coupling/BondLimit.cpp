@@ -28,6 +28,10 @@ BondLimit bondLimitOf(const Joint& joint, const Coupling& coupling) {
   const bool anySoft = a.kind == PartKind::Soft || b.kind == PartKind::Soft;
   for (const Part* part : {&a, &b}) {
     if (anySoft && part->kind != PartKind::Soft) continue;
+    if (part->kind == PartKind::Soft && part->cellSize > 0) {
+      const double face = part->cellSize * part->cellSize;
+      limit.cell = limit.cell > 0 ? std::min(limit.cell, face) : face;
+    }
     if (const double modulus = stiffestOf(joint, *part); modulus > 0)
       limit.modulus = limit.modulus > 0 ? std::min(limit.modulus, modulus) : modulus;
   }

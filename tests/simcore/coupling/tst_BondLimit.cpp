@@ -19,7 +19,13 @@ TEST(BondLimit, isAThinLayerOfTheSofterSidesStiffestTissue) {
   EXPECT_NEAR(limit.areaForStiffness, 4e4 / (5e4 / 1e-3), 1e-9) << "8 cm² of a layer of 1 mm are as stiff";
   EXPECT_FALSE(limit.exceeded());
   joint.couplings[0].stiffnessPerArea = 1.01 * 5e4 / 1e-4;
+  EXPECT_FALSE(bondLimitOf(joint, joint.couplings[0]).exceeded()) << "as large as a cell of 2 cm: it is the cell that gives";
+  const std::vector<TriangleRun> whole = joint.parts[1].regions[0].triangles;
+  joint.parts[1].regions[0].triangles = {{trianglesOf(joint.parts[1].regions[0])[0], 1}};
   EXPECT_TRUE(bondLimitOf(joint, joint.couplings[0]).exceeded());
+  joint.couplings[0].stiffnessPerArea = 0.99 * 5e4 / 1e-4;
+  EXPECT_FALSE(bondLimitOf(joint, joint.couplings[0]).exceeded());
+  joint.parts[1].regions[0].triangles = whole;
 
   Material tendon = joint.materials[1];
   tendon.id = "tendon";
