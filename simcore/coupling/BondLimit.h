@@ -19,7 +19,7 @@ struct BondLimit {
   double usual = 0;             ///< E / 1 mm, N/m per m²: what to lower the stiffness per area to
   double areaForStiffness = 0;  ///< stiffness / usual, m²: what to enlarge the region to, with the whole stiffness kept
   /// More per area than any layer, and smaller than a cell: the region is too small for its stiffness.
-  bool exceeded() const { return modulus > 0 && stiffness > most * area && !(cell > 0 && area >= cell); }
+  bool exceeded() const { return modulus > 0 && stiffness > most * area && !(cell > 0 && area >= (1 - 1e-6) * cell); }
 };
 
 /// The coupling's parts and region must be there.
