@@ -27,7 +27,7 @@ struct CoupledPart {
 /// Springs of one coupling, derived from its region at rest: one at each integration point of the region (see
 /// regionAnchors), embedded in a cell or on the rigid body, on both sides. Σ k = stiffnessPerArea × area, and the
 /// springs' moments about any axis are stiffnessPerArea × the area's, whatever cells and triangles there are.
-/// Fails with UnknownId, or with RegionCannotHold where the region has no area or is a line.
+/// Fails with UnknownId, or with TooFewSprings where the region has no area or is a line.
 Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int coupling,
                                                   const std::vector<CoupledPart>& parts);
 

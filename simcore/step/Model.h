@@ -65,7 +65,7 @@ struct Model {
   bool effectOn(const std::string& name) const;
 };
 
-/// Fails with Unusable, UnknownId, RegionCannotHold, BadElement … naming the part.
+/// Fails with Unusable, UnknownId, TooFewSprings, BadElement … naming the part.
 Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scenario& scenario);
 
 }  // namespace glenoid
