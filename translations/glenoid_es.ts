@@ -2774,8 +2774,12 @@
         <translation>El acoplamiento «%1» nombra una parte o una región que no existe (región «%2»). Pinte de nuevo su región o quítelo.</translation>
     </message>
     <message>
-        <source>The coupling “%1” between “%2” and “%3” gets only this many springs: %4. It needs four that do not lie on a line. Enlarge its region, or use smaller cells.</source>
-        <translation>El acoplamiento «%1» entre «%2» y «%3» solo obtiene este número de muelles: %4. Necesita cuatro que no estén en una recta. Amplíe su región o use celdas más pequeñas.</translation>
+        <source>The coupling “%1” between “%2” and “%3” cannot hold: its region is a line or empty (%4 mm wide), and the parts would turn about it freely. Enlarge its region.</source>
+        <translation>El acoplamiento «%1» entre «%2» y «%3» no puede sujetar: su región es una línea o está vacía (%4 mm de ancho) y las partes girarían libremente en torno a ella. Amplíe su región.</translation>
+    </message>
+    <message>
+        <source>The region of the coupling “%1” between “%2” and “%3” is too small for its stiffness: %4 N/mm on %5 mm² is %6 N/mm per cm², more than a layer of 0.1 mm of the softer tissue. A layer of 1 mm has %7 N/mm per cm²: enlarge the region to some %8 mm², or lower the stiffness.</source>
+        <translation>La región del acoplamiento «%1» entre «%2» y «%3» es demasiado pequeña para su rigidez: %4 N/mm en %5 mm² son %6 N/mm por cm², más que una capa de 0,1 mm del tejido más blando. Una capa de 1 mm tiene %7 N/mm por cm²: amplíe la región a unos %8 mm² o reduzca la rigidez.</translation>
     </message>
     <message>
         <source>Nothing holds “%1”: it has no coupling and will fall. The nearest part is %2 mm away.</source>
@@ -2848,6 +2852,10 @@
     <message>
         <source>Enlarge the region of the coupling “%1”</source>
         <translation>Ampliar la región del acoplamiento «%1»</translation>
+    </message>
+    <message>
+        <source>Lower the stiffness of the coupling “%1” to %2 N/mm per cm²</source>
+        <translation>Reducir la rigidez del acoplamiento «%1» a %2 N/mm por cm²</translation>
     </message>
     <message>
         <source>Switch off contact between “%1” and “%2”</source>
@@ -3378,8 +3386,8 @@
         <translation>El formato del archivo es desconocido.</translation>
     </message>
     <message>
-        <source>The coupling has %1 springs and needs at least %2 that do not lie on a line.</source>
-        <translation>El acoplamiento tiene %1 muelles y necesita al menos %2 que no estén en una recta.</translation>
+        <source>The region of the coupling cannot hold against turning: %1 mm² with radii of gyration of %2 and %3 mm.</source>
+        <translation>La región del acoplamiento no puede sujetar contra el giro: %1 mm² con radios de giro de %2 y %3 mm.</translation>
     </message>
     <message>
         <source>The scene cannot be simulated: %1.</source>
@@ -3506,8 +3514,8 @@
         <translation>Use una carpeta .joint, un .scenario.json o una malla PLY o VTK.</translation>
     </message>
     <message>
-        <source>Enlarge the region of the coupling, or use smaller cells.</source>
-        <translation>Amplíe la región del acoplamiento o use celdas más pequeñas.</translation>
+        <source>Enlarge the region of the coupling.</source>
+        <translation>Amplíe la región del acoplamiento.</translation>
     </message>
     <message>
         <source>Change the part or the setting that is named.</source>

@@ -11,6 +11,20 @@ Result<Done> saveOutcome(const RunReport& report, const std::string& path) { ret
 
 Result<Done> saveOutcome(const Recording& recording, const std::string& path) { return saveRecording(recording, path); }
 
+namespace {
+
+/// One row for each of paperDepartures.
+std::string departureSentence(const std::string& word) {
+  constexpr const char* kSentences[][2] = {
+      {"couplings-at-integration-points", "springs of couplings hold at integration points of their regions, not at nodes, as in every profile"},
+  };
+  for (const auto& [each, sentence] : kSentences)
+    if (word == each) return sentence;
+  return word;
+}
+
+}  // namespace
+
 std::string summaryOf(const RunReport& r) {
   std::string out = text("%s: %ld steps of %g ms, %s, %s\n", r.scenario.c_str(), r.steps, r.dt * 1e3, r.profile.c_str(),
                          r.finite ? "finite" : "NOT FINITE");
@@ -27,6 +41,8 @@ std::string summaryOf(const RunReport& r) {
          (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) +
          (r.visualPenetrationPair.empty() ? std::string() : " (" + r.visualPenetrationPair + ")") + "\n";
   out += text("residual:    %.2e\n", r.residual);
+  if (r.paper)
+    for (const std::string& word : r.paper->departures) out += "departs:     " + departureSentence(word) + "\n";
   if (r.paper)
     out += text("paper:       D by node in %ld steps, by object in %ld; outer iterations %.1f mean, %d max, residual %.1e; "
                 "capped in %ld steps\n",

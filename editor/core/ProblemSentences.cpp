@@ -37,6 +37,12 @@ struct ProblemSentences {
   }
   /// Millimetres with three figures that count.
   static QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'g', 3); }
+  /// Stiffness per area of the coupling, N/m per m².
+  double perArea() const {
+    for (const Coupling& each : m_joint.couplings)
+      if (each.id == p.coupling) return each.stiffnessPerArea;
+    return 0;
+  }
   static QString percent(double share) { return QLocale().toString(100 * share, 'f', 0); }
   static QString number(double value) { return QLocale().toString(value, 'g', 4); }
   QString surface() const {
@@ -106,9 +112,15 @@ QString ProblemSentences::what() const {
     case ProblemKind::CouplingBroken:
       return filled(tr("The coupling “%1” names a part or a region that is not there (region “%2”). Paint its region again, or "
                        "remove it."), {coupling, QString::fromStdString(p.region)});
-    case ProblemKind::TooFewSprings:
-      return filled(tr("The coupling “%1” between “%2” and “%3” gets only this many springs: %4. It needs four that do not lie "
-                       "on a line. Enlarge its region, or use smaller cells."), {coupling, part, other, count});
+    case ProblemKind::RegionCannotHold:
+      return filled(tr("The coupling “%1” between “%2” and “%3” cannot hold: its region is a line or empty (%4 mm wide), and "
+                       "the parts would turn about it freely. Enlarge its region."), {coupling, part, other, millimetres(p.figure)});
+    case ProblemKind::RegionTooSmall:
+      return filled(tr("The region of the coupling “%1” between “%2” and “%3” is too small for its stiffness: %4 N/mm on %5 mm² is "
+                       "%6 N/mm per cm², more than a layer of 0.1 mm of the softer tissue. A layer of 1 mm has %7 N/mm per cm²: "
+                       "enlarge the region to some %8 mm², or lower the stiffness."),
+                    {coupling, part, other, number(1e-3 * perArea() * p.figure), number(1e6 * p.figure), number(1e-7 * perArea()),
+                     number(1e-7 * p.wanted), number(p.wanted > 0 ? 1e6 * perArea() * p.figure / p.wanted : 0)});
     case ProblemKind::BondedCollision:
       return filled(tr("“%1” and “%2” are bonded over a large surface (%3 mm²) and still tested for contact. Switching that off "
                        "saves time and spares contacts that pull against the bond."),
@@ -158,7 +170,9 @@ QString ProblemSentences::fix() const {
     case ProblemKind::InvertedTetrahedra: return filled(tr("Turn the tetrahedra of “%1” around"), {part});
     case ProblemKind::NoMaterial: return filled(tr("Give “%1” the material “%2”"), {part, materialName(p.other)});
     case ProblemKind::CouplingBroken: return filled(tr("Remove the coupling “%1”"), {QString::fromStdString(p.coupling)});
-    case ProblemKind::TooFewSprings: return filled(tr("Enlarge the region of the coupling “%1”"), {QString::fromStdString(p.coupling)});
+    case ProblemKind::RegionCannotHold: return filled(tr("Enlarge the region of the coupling “%1”"), {QString::fromStdString(p.coupling)});
+    case ProblemKind::RegionTooSmall:
+      return filled(tr("Lower the stiffness of the coupling “%1” to %2 N/mm per cm²"), {QString::fromStdString(p.coupling), number(1e-7 * p.wanted)});
     case ProblemKind::BondedCollision: return filled(tr("Switch off contact between “%1” and “%2”"), {part, other});
     case ProblemKind::CageUnusable: return filled(tr("Remove the cage around “%1”"), {part});
     case ProblemKind::CageCrushes: return filled(tr("Move the handles around “%1” back"), {part});

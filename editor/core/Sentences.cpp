@@ -45,7 +45,7 @@ QString Sentences::what(const Error& error, const std::vector<QString>& a) {
     case Fault::HashMismatch: return tr("The content is not what its name promises; the file was changed or damaged.");
     case Fault::UnknownFormat: return tr("The format of the file is not known.");
     case Fault::TooFewSprings:
-      return tr("The coupling has %1 springs and needs at least %2 that do not lie on a line.").arg(a[0], a[1]);
+      return tr("The region of the coupling cannot hold against turning: %1 mm² with radii of gyration of %2 and %3 mm.").arg(a[0], a[1], a[2]);
     case Fault::Unusable: return tr("The scene cannot be simulated: %1.").arg(a[0]);
     case Fault::BadUsage: return tr("The command cannot be understood: %1.").arg(a[0]);
     case Fault::NoGraphics: return tr("No OpenGL 3.3 context could be made, so nothing can be drawn in 3D.");
@@ -83,7 +83,7 @@ QString Sentences::advice(Fault fault) {
     case Fault::BadIndex: return tr("The file was cut or edited; write it again from its source.");
     case Fault::HashMismatch: return tr("Restore the original file, or save the joint again.");
     case Fault::UnknownFormat: return tr("Use a .joint folder, a .scenario.json, or a PLY or VTK mesh.");
-    case Fault::TooFewSprings: return tr("Enlarge the region of the coupling, or use smaller cells.");
+    case Fault::TooFewSprings: return tr("Enlarge the region of the coupling.");
     case Fault::Unusable: return tr("Change the part or the setting that is named.");
     case Fault::BadUsage: return tr("“glenoid --help” lists what can be said.");
     case Fault::NoGraphics: return tr("Update the graphics driver, or use the command line, which needs no display.");

@@ -151,8 +151,9 @@ JointRecipe palpationRecipe() {
   const auto add = [&](const char* a, const char* region, const char* b, double total) {
     recipe.couplings.push_back(bond(recipe, a, region, b, total));
   };
-  add("deltoid-clavicular", "origin", "clavicle", 1e5);
-  add("deltoid-acromial", "origin", "scapula", 1e5);
+  // Muscle that ends on a strip of half a square centimetre and of one: more would be stiffer than a tenth of a millimetre of it.
+  add("deltoid-clavicular", "origin", "clavicle", 1e4);
+  add("deltoid-acromial", "origin", "scapula", 2e4);
   add("deltoid-spinal", "origin", "scapula", 1e5);
   for (const char* id : ids) add(id, "insertion", "humerus", 5e4);
   add("deltoid-acromial", "front-septum", "deltoid-clavicular", 2e4);

@@ -15,6 +15,8 @@ namespace {
 
 /// How near a surface must lie to bone to count as attached, mm.
 constexpr double kAttached = 0.9;
+/// The humeral end of the coracohumeral ligament bridges the groove on the biceps tendon, 1 to 3 mm off bone.
+constexpr double kBridging = 3.0;
 
 Region make(std::string id, std::string name, std::string kind, std::vector<int> triangles) {
   Region region;
@@ -212,7 +214,7 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
                                "footprint", nearScapula),
                    regionAlong(visual, 20, 13, "", "", "", 0, 0.4)),
             common(regionWhere(visual, "humeral-end", "Tubercula (end on both tubercles)", "footprint",
-                               nearHumerus),
+                               [&](const Vec3& p) { return distance(bones.humerusShape, p) < kBridging; }),
                    regionAlong(visual, 20, 13, "", "", "", 0.7, 1))};
   if (id == "transverse-humeral-ligament")
     return {common(regionWhere(visual, "lesser-end", "Tuberculum minus (end on the lesser tubercle)",

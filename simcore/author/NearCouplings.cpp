@@ -25,7 +25,7 @@ Result<Done> addNearCoupling(Joint& joint, const NearCoupling& near) {
       for (const int corner : surface.triangles[triangle]) centre += surface.vertices[corner] / 3;
       return (centre - near.centre_W).norm() > near.radius;
     });
-  if (triangles.empty()) return fail(Fault::TooFewSprings, {"0", "4"});
+  if (triangles.empty()) return fail(Fault::TooFewSprings, {"0", "0", "0"});
   Region region;
   region.id = wish.id;
   region.kind = "footprint";

@@ -7,7 +7,7 @@ namespace glenoid {
 
 /// Adds the coupling and, on part A, the region it is over, named by the coupling's id ("footprint"). Fails with
 /// UnknownId for a part that is not there, DuplicateId when part A has such a region, TooFewSprings when what lies
-/// within the distance cannot hold (see deriveSprings). The place names the coupling.
+/// within the distance cannot hold (see canHold). The place names the coupling.
 Result<Done> addNearCoupling(Joint& joint, const NearCoupling& near);
 
 }  // namespace glenoid

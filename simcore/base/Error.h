@@ -33,7 +33,7 @@ enum class Fault {
   BadIndex,           ///< an index outside its array: arguments: index, size
   HashMismatch,       ///< content is not what its name promises
   UnknownFormat,      ///< neither by ending nor by content a known format
-  TooFewSprings,      ///< a coupling that cannot hold: arguments: found, needed
+  TooFewSprings,      ///< a coupling over a line or nothing: arguments: area in mm², radii of gyration in mm, larger first
   Unusable,           ///< fits the schema, yet cannot be simulated: arguments: what
   BadUsage,           ///< command line: arguments: what
   NoGraphics,         ///< no OpenGL context could be made

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include "simcore/check/CheckParts.h"
+#include "simcore/coupling/BondLimit.h"
 #include "simcore/coupling/Islands.h"
+#include "simcore/coupling/RegionAnchors.h"
 #include "simcore/coupling/Springs.h"
 #include "simcore/scene/ProposeExclusions.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -59,15 +61,24 @@ void checkCouplings(Work& work) {
     if (!work.usable[a] || !work.usable[b]) continue;
     const auto springs = deriveSprings(joint, static_cast<int>(c), parts);
     int count = 0;
-    if (springs) {
-      count = static_cast<int>(springs->size());
-    } else {
-      if (!springs.error().arguments.empty()) count = std::atoi(springs.error().arguments[0].c_str());
-      Problem& problem = work.add(ProblemKind::TooFewSprings, Severity::Error, coupling.partA);
+    const auto add = [&](ProblemKind kind, Severity severity) -> Problem& {
+      Problem& problem = work.add(kind, severity, coupling.partA);
       problem.coupling = coupling.id;
       problem.region = coupling.regionA;
       problem.other = coupling.partB;
-      problem.count = count;
+      return problem;
+    };
+    if (springs) {
+      count = static_cast<int>(springs->size());
+      if (const BondLimit limit = bondLimitOf(joint, coupling); limit.exceeded()) {
+        Problem& problem = add(ProblemKind::RegionTooSmall, Severity::Warning);
+        problem.figure = limit.area;
+        problem.wanted = limit.usual;
+      }
+    } else {
+      // Of a strip the width is √12 radii of gyration.
+      add(ProblemKind::RegionCannotHold, Severity::Error).figure =
+          std::sqrt(12.0) * radiiOfGyration(momentsOf(joint.parts[a], *region))(1);
     }
     least = std::min(least, count);
   }

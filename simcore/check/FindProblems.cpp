@@ -25,7 +25,8 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::InvertedTetrahedra: return "inverted-tetrahedra";
     case ProblemKind::NoMaterial: return "no-material";
     case ProblemKind::CouplingBroken: return "coupling-broken";
-    case ProblemKind::TooFewSprings: return "too-few-springs";
+    case ProblemKind::RegionCannotHold: return "region-cannot-hold";
+    case ProblemKind::RegionTooSmall: return "region-too-small";
     case ProblemKind::BondedCollision: return "bonded-collision";
     case ProblemKind::PartLoose: return "part-loose";
     case ProblemKind::IslandLoose: return "island-loose";

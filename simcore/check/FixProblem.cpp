@@ -128,7 +128,7 @@ bool othersUse(const Joint& joint, const Part& part, const std::string& region, 
   return false;
 }
 
-/// Grows the coupling's region ring by ring until enough springs come of it; a region that others use is copied first.
+/// Grows the coupling's region ring by ring until it can hold; a region that others use is copied first.
 Result<Joint> growRegion(Joint joint, const Problem& problem) {
   const auto found = std::find_if(joint.couplings.begin(), joint.couplings.end(),
                                   [&](const Coupling& c) { return c.id == problem.coupling; });
@@ -157,6 +157,15 @@ Result<Joint> growRegion(Joint joint, const Problem& problem) {
     if (deriveSprings(joint, static_cast<int>(found - joint.couplings.begin()), parts)) return joint;
   }
   return noHelp(problem);
+}
+
+Result<Joint> lowerStiffness(Joint joint, const Problem& problem) {
+  for (Coupling& coupling : joint.couplings)
+    if (coupling.id == problem.coupling && coupling.stiffnessPerArea > problem.wanted) {
+      coupling.stiffnessPerArea = problem.wanted;
+      return joint;
+    }
+  return noLonger(problem);
 }
 
 Result<Joint> excludePair(Joint joint, const Problem& problem) {
@@ -216,7 +225,8 @@ bool canFix(const Problem& problem) {
     case ProblemKind::SurfaceInwards:
     case ProblemKind::InvertedTetrahedra:
     case ProblemKind::CouplingBroken:
-    case ProblemKind::TooFewSprings:
+    case ProblemKind::RegionCannotHold:
+    case ProblemKind::RegionTooSmall:
     case ProblemKind::BondedCollision:
     case ProblemKind::CageUnusable:
     case ProblemKind::CageCrushes:
@@ -249,7 +259,8 @@ Result<Joint> fixProblem(const Joint& joint, const Problem& problem, const FixPr
     case ProblemKind::InvertedTetrahedra: return turnTetrahedra(joint, problem);
     case ProblemKind::NoMaterial: return giveMaterial(joint, problem);
     case ProblemKind::CouplingBroken: return removeCoupling(joint, problem);
-    case ProblemKind::TooFewSprings: return growRegion(joint, problem);
+    case ProblemKind::RegionCannotHold: return growRegion(joint, problem);
+    case ProblemKind::RegionTooSmall: return lowerStiffness(joint, problem);
     case ProblemKind::BondedCollision: return excludePair(joint, problem);
     case ProblemKind::CageUnusable: return removeCage(joint, problem);
     case ProblemKind::CageCrushes: return moveHandlesBack(joint, problem);

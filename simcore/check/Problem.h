@@ -24,7 +24,9 @@ enum class ProblemKind {
   InvertedTetrahedra,  ///< the same; their corners only need turning around
   NoMaterial,          ///< material: the unknown id, empty: none at all; other: id of one that would do, may be empty
   CouplingBroken,      ///< names a part or a region that is not there
-  TooFewSprings,       ///< count: springs found
+  RegionCannotHold,    ///< a coupling over a line; figure: width of its region, m, 0 where it has no area
+  RegionTooSmall,      ///< a coupling stiffer per area than tissue is; figure: area of its region, m²; wanted: stiffness
+                       ///< per area that tissue has, N/m per m²
   BondedCollision,     ///< figure: bonded area, m²
   PartLoose,           ///< nothing holds it; figure: distance of the nearest other part, m; infinite when alone
   IslandLoose,         ///< parts coupled to each other and to nothing that stays; parts: which

@@ -2,22 +2,30 @@
 #pragma once
 #include <vector>
 
+#include "simcore/coupling/AreaMoments.h"
 #include "simcore/coupling/Springs.h"
 
 namespace glenoid {
 
-/// Where a region is held: an end of a spring before it is bound to the other part.
+/// An integration point of a region: an end of a spring before it is bound to the other part.
 struct RegionAnchor {
   Vec3 rest_W = Vec3::Zero();  ///< m
   VertexBinding binding;       ///< of the part that has the region
-  double share = 0;            ///< area of the region that it carries, m²
+  double share = 0;            ///< area that it stands for, m²
 };
 
-/// On a soft part the nodes that carry the region, on a rigid one some of its vertices; see deriveSprings.
-/// Empty where the region has no area. The region must lie inside its surface.
-std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region);
+/// Integration points of a region, whose sums of area, first and second moments are the region's own to round-off,
+/// whatever its triangles. The region is halved along its longest side until every piece is no longer than the cell
+/// of tissue at its centre (of `part` and, where given, of `other`; so a rigid pair keeps the region whole), and each
+/// piece gives the four points of pointsWithMoments. Empty where the region has no area. The region must lie inside
+/// its surface. See README.md.
+std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region, const Part* other = nullptr);
 
-/// Four or more that span more than a line can hold a body against turning.
-bool canHold(const std::vector<RegionAnchor>& anchors);
+/// Area and moments of a region of `part` at rest.
+AreaMoments momentsOf(const Part& part, const Region& region);
+
+/// Whether a bond over such an area holds against turning about every axis. Only a line does not: an area whose second
+/// radius of gyration is below a thousandth of the first turns about it, however stiff the bond.
+bool canHold(const AreaMoments& moments);
 
 }  // namespace glenoid

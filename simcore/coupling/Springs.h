@@ -24,12 +24,10 @@ struct CoupledPart {
   Vec3 centre = Vec3::Zero();   ///< rigid: origin of the body frame at rest, m
 };
 
-/// Springs of one coupling, derived from its region at rest. On a soft part A: at the nodes that carry the
-/// region, each with the share of the region's area that it carries (nodes below 2 % of the largest share are
-/// left out); on a rigid A: at up to twelve of the region's vertices spread far apart, with the area nearest to
-/// each. The other end is the point of part B that lies at the same place at rest. The sum of k is
-/// stiffnessPerArea × area of the region, whatever the mesh.
-/// Fails with UnknownId, or with TooFewSprings where fewer than four points not on a line remain.
+/// Springs of one coupling, derived from its region at rest: one at each integration point of the region (see
+/// regionAnchors), embedded in a cell or on the rigid body, on both sides. Σ k = stiffnessPerArea × area, and the
+/// springs' moments about any axis are stiffnessPerArea × the area's, whatever cells and triangles there are.
+/// Fails with UnknownId, or with TooFewSprings where the region has no area or is a line.
 Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int coupling,
                                                   const std::vector<CoupledPart>& parts);
 

@@ -5,6 +5,7 @@
 
 #include "simcore/body/RigidObject.h"
 #include "simcore/coupling/Springs.h"
+#include "simcore/embed/Bind.h"
 #include "simcore/export/ExportParts.h"
 #include "simcore/scene/Start.h"
 
@@ -42,8 +43,21 @@ class FebioModel {
     std::array<double, 4> weights{};
   };
 
-  static int heaviest(const VertexBinding& binding) {
-    return static_cast<int>(std::max_element(binding.weight.begin(), binding.weight.end()) - binding.weight.begin());
+  /// Nodes of a soft part that carry a coupling, since FEBio bonds whole nodes: those with more than 2 % of the largest
+  /// share of its stiffness.
+  static std::vector<int> carriers(const std::vector<CouplingSpring>& springs, VertexBinding CouplingSpring::* end) {
+    std::map<int, double> share;
+    double most = 0;
+    for (const CouplingSpring& spring : springs)
+      for (int k = 0; k < 4; ++k) {
+        double& sum = share[(spring.*end).node[k]];
+        sum += spring.stiffness * std::max(0.0, (spring.*end).weight[k]);
+        most = std::max(most, sum);
+      }
+    std::vector<int> nodes;
+    for (const auto& [node, stiffness] : share)
+      if (stiffness > 0.02 * most) nodes.push_back(node);
+    return nodes;
   }
   bool isRigid(int part) const { return m_joint.parts[part].kind == PartKind::Rigid; }
   /// Bonds a node unless something holds it already, or something hangs on it.
@@ -78,19 +92,20 @@ class FebioModel {
         continue;
       }
       ++m_bonded;
-      for (const CouplingSpring& spring : *springs) {
-        if (isRigid(b) || isRigid(a)) {
-          const int soft = isRigid(b) ? a : b;
-          const VertexBinding& end = isRigid(b) ? spring.a : spring.b;
-          bond(m_first[soft] + end.node[heaviest(end)], {m_joint.parts[isRigid(b) ? b : a].id, {}, {}});
-          continue;
-        }
+      const int soft = isRigid(a) ? b : a, other = isRigid(a) ? a : b;
+      const std::vector<int> held = carriers(*springs, isRigid(a) ? &CouplingSpring::b : &CouplingSpring::a);
+      std::vector<Vec3> places;
+      for (const int node : held) places.push_back(m_joint.parts[soft].volume->nodes[node]);
+      std::vector<VertexBinding> in;
+      if (!isRigid(other)) in = bindToTets(*m_joint.parts[other].volume, places);
+      for (std::size_t i = 0; i < held.size(); ++i) {
         Bond how;
-        for (int k = 0; k < 4; ++k) {
-          how.nodes[k] = m_first[b] + spring.b.node[k];
-          how.weights[k] = spring.b.weight[k];
+        if (isRigid(other)) how.rigid = m_joint.parts[other].id;
+        for (int k = 0; k < 4 && !isRigid(other); ++k) {
+          how.nodes[k] = m_first[other] + in[i].node[k];
+          how.weights[k] = in[i].weight[k];
         }
-        bond(m_first[a] + spring.a.node[heaviest(spring.a)], how);
+        bond(m_first[soft] + held[i], std::move(how));
       }
     }
     return Done{};

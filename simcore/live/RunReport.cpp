@@ -45,11 +45,14 @@ Json toJson(const ContactCounts& c) {
 }
 
 Json toJson(const PaperSummary& p) {
+  Json departures = Json::array();
+  for (const std::string& word : p.departures) departures.append(word);
   return object({{"dNodeSteps", p.nodeSteps}, {"dObjectSteps", p.objectSteps}, {"lambdaMax", p.lambdaMax},
                  {"cgIterationsMax", p.cgIterationsMax}, {"cgResidualMax", p.cgResidualMax},
                  {"cgCappedSteps", p.cgCappedSteps}, {"outerIterationsMax", p.outerIterationsMax},
                  {"outerIterationsMean", p.outerIterationsMean}, {"outerResidualMax", p.outerResidualMax},
-                 {"outerCappedSteps", p.outerCappedSteps}, {"divergedSteps", p.divergedSteps}});
+                 {"outerCappedSteps", p.outerCappedSteps}, {"divergedSteps", p.divergedSteps},
+                 {"departures", departures}});
 }
 
 Json toJson(const EffectReport& e) {

@@ -113,7 +113,7 @@ Joint makeJoint(Stiffness stiffness) {
     material.stiffnessDamping = 0;  // as the peers: what is lost is lost in the implicit step
     part.materials = {{material.id, ""}};
     joint.materials.push_back(material);
-    // 3e7 N/m and more for a node: a hundred newtons open a gap of 3 µm.
+    // 1e7 N/m and more for a node: a hundred newtons open a gap of 3 µm.
     joint.couplings.push_back({part.id + "-fixed", part.id, "fixed-bone", "fixed-end", 1e12, 0});
     joint.couplings.push_back({part.id + "-moving", part.id, "moving-bone", "moving-end", 1e12, 0});
     joint.parts.push_back(std::move(part));

@@ -17,7 +17,7 @@ LadderScene named(const char* id) {
   return scene;
 }
 
-/// A rigid box with two triangles on each face: its springs sit at the four corners of a face.
+/// A rigid box with two triangles on each face.
 Part plainBox(const std::string& id, int number, const Vec3& low, const Vec3& high) {
   Part part = boxPart(id, number, PartKind::Rigid, low, high);
   part.visual = part.collision = std::make_shared<TriMesh>(boxSurface(low, high, 1));

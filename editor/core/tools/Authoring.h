@@ -42,7 +42,7 @@ class Authoring : public QObject {
   /// Null while the part is unknown.
   std::shared_ptr<const TriMesh> mesh() const;
   const std::vector<int>& selected() const { return m_picked.triangles; }
-  /// Nodes of a soft part that would carry the selection, m; they come from a worker a moment after it.
+  /// Points of a soft part at which springs over the selection would hold, m; they come from a worker a moment after it.
   const std::vector<Vec3>& nodes() const { return m_nodes_W; }
   /// One undo step called `text`; nothing when they are selected already. Triangles ascending.
   void select(const std::vector<int>& triangles, const QString& text);

@@ -61,8 +61,8 @@ TEST_F(CouplingTools, aPaintedRegionBecomesACouplingAndGoesAgain) {
   ASSERT_GE(row.size(), 4u);
   settle();
   EXPECT_GT(difference(before, grabView()), 0.002) << "what is selected is seen";
-  ASSERT_TRUE(until([this] { return authoring().nodes().size() >= 4; })) << "a soft part is held at its nodes";
-  for (const Vec3& node : authoring().nodes()) EXPECT_NEAR(node.z(), 0.02, 1e-9) << "those of the face";
+  ASSERT_TRUE(until([this] { return authoring().nodes().size() >= 4; })) << "a soft part is held over its cells";
+  for (const Vec3& node : authoring().nodes()) EXPECT_NEAR(node.z(), 0.02, 1e-9) << "points of the face";
 
   paint({pixel(-0.015, 0.016), pixel(0.015, 0.016)}, Qt::ShiftModifier);
   EXPECT_GT(authoring().selected().size(), row.size());

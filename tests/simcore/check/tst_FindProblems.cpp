@@ -165,8 +165,25 @@ TEST(FindProblems, couplingsThatAreBrokenOrTooSmall) {
   for (Region& region : part.regions)
     if (region.id == joint.couplings[0].regionA) region.triangles.clear();
   problems = findProblems(joint);
-  ASSERT_TRUE(has(problems, ProblemKind::TooFewSprings)) << listed(problems);
-  EXPECT_EQ(problemOf(problems, ProblemKind::TooFewSprings)->count, 0);
+  ASSERT_TRUE(has(problems, ProblemKind::RegionCannotHold)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::RegionCannotHold)->figure, 0) << "no width at all";
+}
+
+TEST(FindProblems, aBondStifferThanTissueIsWarnedOfWithItsFigures) {
+  Joint joint = soundJoint();
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::RegionTooSmall));
+  Coupling& coupling = joint.couplings[0];
+  Part& part = joint.parts[findPart(joint, coupling.partA)];
+  for (Region& region : part.regions)
+    if (region.id == coupling.regionA) region.triangles = {{trianglesOf(region)[0], 1}};
+  coupling.stiffnessPerArea = 1e10;
+  const auto problems = findProblems(joint);
+  const Problem* problem = problemOf(problems, ProblemKind::RegionTooSmall);
+  ASSERT_NE(problem, nullptr) << listed(problems);
+  EXPECT_EQ(problem->severity, Severity::Warning);
+  EXPECT_EQ(problem->coupling, coupling.id);
+  EXPECT_NEAR(problem->figure, 1.25e-5, 1e-12) << "half a square of 5 mm";
+  EXPECT_NEAR(problem->wanted, 5e4 / 1e-3, 1e-3) << "a millimetre of tissue";
 }
 
 TEST(FindProblems, aLargeBondWithContactIsNoted) {

@@ -96,17 +96,21 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
   joint.couplings[0].partB = "nobody";
   EXPECT_EQ(fixedJoint(joint, ProblemKind::CouplingBroken).couplings.size(), joint.couplings.size() - 1);
 
-  joint = soundJoint();  // a rigid side with one triangle has three points
+  joint = soundJoint();  // a rigid side whose one triangle is a needle of a micrometre
   Coupling& coupling = joint.couplings[0];
   const int a = findPart(joint, coupling.partA);
-  if (joint.parts[a].kind == PartKind::Soft) {
-    Part& rigid = joint.parts[findPart(joint, coupling.partB)];
-    rigid.regions.push_back({"spot", "Spot", "other", SurfaceKind::Visual, {{0, 1}}});
-    std::swap(coupling.partA, coupling.partB);
-    coupling.regionA = "spot";
-  }
+  ASSERT_EQ(joint.parts[a].kind, PartKind::Soft);
+  Part& rigid = joint.parts[findPart(joint, coupling.partB)];
+  rigid.regions.push_back({"spot", "Spot", "other", SurfaceKind::Visual, {{0, 1}}});
+  changeMesh(rigid.visual, [](TriMesh& m) {
+    const auto t = m.triangles[0];
+    const Vec3 side = m.vertices[t[1]] - m.vertices[t[0]], other = m.vertices[t[2]] - m.vertices[t[0]];
+    m.vertices[t[2]] = m.vertices[t[0]] + 0.5 * side + 1e-6 * other.normalized();
+  });
+  std::swap(coupling.partA, coupling.partB);
+  coupling.regionA = "spot";
   const std::string part = coupling.partA, region = coupling.regionA, id = coupling.id;
-  const Joint grown = fixedJoint(joint, ProblemKind::TooFewSprings);
+  const Joint grown = fixedJoint(joint, ProblemKind::RegionCannotHold);
   EXPECT_GT(trianglesOf(*findRegion(grown.parts[findPart(grown, part)], region)).size(), 1u);
 
   // A region that something else uses stays as it is.
@@ -115,12 +119,22 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
   bursa.floor = {{part, region}};
   bursa.roof = {{softPart(joint).id, ""}};
   joint.bursae = {bursa};
-  const Joint copied = fixedJoint(joint, ProblemKind::TooFewSprings);
+  const Joint copied = fixedJoint(joint, ProblemKind::RegionCannotHold);
   EXPECT_EQ(trianglesOf(*findRegion(copied.parts[findPart(copied, part)], region)).size(), 1u);
   for (const Coupling& c : copied.couplings)
     if (c.id == id) {
       EXPECT_EQ(c.regionA, region + "-grown");
     }
+}
+
+TEST(FixProblem, aBondStifferThanTissueIsMadeAsStiffAsAMillimetreOfIt) {
+  Joint joint = soundJoint();
+  joint.couplings[0].stiffnessPerArea = 1e10;
+  for (Region& region : softPart(joint).regions)
+    if (region.id == joint.couplings[0].regionA) region.triangles = {{trianglesOf(region)[0], 1}};
+  const Joint fixed = fixedJoint(joint, ProblemKind::RegionTooSmall);
+  EXPECT_NEAR(fixed.couplings[0].stiffnessPerArea, 5e7, 1);
+  EXPECT_FALSE(has(findProblems(fixed), ProblemKind::RegionTooSmall));
 }
 
 TEST(FixProblem, contactOfABondIsSwitchedOff) {

@@ -12,8 +12,8 @@ TEST(CouplingFigures, ofAFaceBondedToABlock) {
   const Joint joint = scenes::figure4Joint();
   const auto figures = couplingFigures(joint, 0, {"left"});
   ASSERT_TRUE(figures.ok());
-  EXPECT_EQ(figures->springs, 9) << "3 × 3 nodes of the face";
-  EXPECT_EQ(figures->anchors_W.size(), 9u);
+  EXPECT_EQ(figures->springs, 16) << "four to each of the face's 2 × 2 cells";
+  EXPECT_EQ(figures->anchors_W.size(), 16u);
   EXPECT_NEAR(figures->area, 4e-4, 1e-12);
   // The block is 40 × 20 × 20 mm: 4000 mm² around.
   EXPECT_NEAR(figures->coverage, 0.1, 1e-9);
