@@ -167,7 +167,7 @@ TEST(ProximityCost, aCrowdedJointIsFoundWithoutAllocating) {
       finder.counts().trianglePairs, finder.counts().vertexFace, finder.counts().edgeEdge,
       finder.counts().depthQueries, 1e3 * deepest);
   // The scene must be worth measuring. Times are printed, not judged: the machine is shared.
-  EXPECT_GT(sum / (2 * steps), 50u);
+  EXPECT_GT(sum / (2 * steps), 25u);  // local minima of distance; what is merely near gives no row
   EXPECT_GT(deepest, 1e-4);
 }
 
