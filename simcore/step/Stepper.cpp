@@ -69,6 +69,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.hands.resize(work.model->scenario.tools.size());
   work.turnStiffness = turnStiffnessOf(*work.inside);
   work.solved.setZero(work.model->start.v.size());
+  work.velocitySystems.resize(work.islands.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
   ProximityLimits limits;
   limits.lookAhead = kLookAhead;
@@ -182,6 +183,7 @@ void solveContacts(Stepper::Work& work, const State& state) {
   StepReport& report = work.report;
   report.active = report.droppedRows = report.pivotsExhausted = 0;
   report.complementarity = 0;
+  report.contactSolver = {};
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
   buildContacts(work, state);
@@ -239,6 +241,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   report.parts = 1;
   report.refusedHands = report.contacts = report.active = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
+  report.contactSolver = {};
   report.cpuMs.fill(0);
   work.workerMs = 0;
   report.paper = {};
