@@ -59,7 +59,7 @@ LcpReport sweeps(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& 
 }  // namespace
 
 double frictionTolerance(const LcpLimits& limits, const Eigen::Ref<const VecX>& d) {
-  return limits.tolerance + 1e-12 + 1e-10 * d.cwiseAbs().maxCoeff();
+  return limits.tolerance + 1e-12 + 1e-11 * d.cwiseAbs().maxCoeff();
 }
 
 LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& d,
@@ -76,7 +76,23 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   work.system.set(W, d, contacts, limits.compliance);
   ConeLimits cones;
   cones.tolerance = frictionTolerance(limits, d);
-  return solveCones(work.system, lambda, cones, work.cones);
+  report = solveCones(work.system, lambda, cones, work.cones);
+  if (report.exact) return report;
+  // Contacts that no impulses satisfy, as a rule: sweeps spread what is wrong over all of them.
+  LcpLimits last = limits;
+  last.sweeps = limits.lastSweeps;
+  VecX& best = work.best;
+  if (best.size() < d.size()) best.resize(d.size() + d.size() / 2 + 8);
+  best.head(d.size()) = lambda;
+  LcpReport swept = sweeps(W, d, contacts, lambda, last, work);
+  if (swept.error < report.error) {
+    report.error = swept.error;
+    report.exact = report.error <= cones.tolerance;
+  } else {
+    lambda = best.head(d.size());
+  }
+  report.sweeps += swept.sweeps;
+  return report;
 }
 
 }  // namespace glenoid

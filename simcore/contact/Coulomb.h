@@ -11,7 +11,7 @@ namespace glenoid {
 struct CoulombWork {
   ImpulseSystem system;
   ConeWork cones;
-  VecX lambda, w;
+  VecX lambda, w, best;
 };
 
 /// Contact with dry friction: for each contact, with w = W λ + d the relative velocity along its rows,
@@ -19,7 +19,7 @@ struct CoulombWork {
 /// (Coulomb's law with the round cone, no facets; sliding makes the problem non-symmetric, so there need be
 /// neither a solution nor only one). W symmetric positive semi-definite; units as in Lcp.h.
 /// By solveCones (ConeSolve.h has the method); with limits.pivots = 0 by block projected Gauss–Seidel alone, as the
-/// `paper` profile asks. Ends when the law holds to limits.tolerance and 1e-10 of the largest speed in d; where that is
+/// `paper` profile asks. Ends when the law holds to limits.tolerance and 1e-11 of the largest speed in d; where that is
 /// not reached, the best answer stays and the report says so. Every answer is finite and inside the cones.
 /// λ: first guess in, answer out. In the report `pivots` counts Newton steps.
 /// Sources: Alart and Curnier, "A mixed formulation for frictional contact problems prone to Newton like solution
