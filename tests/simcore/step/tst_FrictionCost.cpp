@@ -87,8 +87,10 @@ TEST(FrictionCost, aBlockAtRestSettlesAndOfTwentyFiveContactsCostsAtMostTwiceThe
     EXPECT_GE(rough.active, 4);
     EXPECT_EQ(rough.unsettled, 0);
     EXPECT_LE(rough.newton, 2 * 101) << "a step begins where the last one ended";
-    // With 169 contacts the factor is 2.8: three times the rows are collected and evaluated. Not yet what it should be.
-    if (squares == 4) EXPECT_LE(rough.median(), 2 * smooth.median());
+    // With 169 contacts the factor is 3 to 4: three times the rows are collected and evaluated. Not yet what it should be.
+    if (squares == 4) {
+      EXPECT_LE(rough.median(), 2 * smooth.median());
+    }
   }
 }
 
@@ -112,7 +114,9 @@ TEST(FrictionCost, aHeavyBlockStandsOnALightOneAtAnyRatio) {
                 (state.q - before).cwiseAbs().maxCoeff(), run.newton, run.convex, run.unsettled, run.worst);
     // At 1e6 a step in four misses the tolerance of 5e-11 m/s, by a factor of ten: round-off of contact forces a million
     // times the light block's weight. The report says so; nothing moves for it.
-    if (ratio <= 1e4) EXPECT_EQ(run.unsettled, 0) << ratio;
+    if (ratio <= 1e4) {
+      EXPECT_EQ(run.unsettled, 0) << ratio;
+    }
     EXPECT_LT(run.worst, 1e-8) << ratio;
     // A micron an hour is 3e-10 m in a second; the heavy block's own round-off grows with the ratio.
     EXPECT_LT((state.q - before).cwiseAbs().maxCoeff(), 1e-8) << ratio;
