@@ -100,6 +100,12 @@ void RunGather::add(const StepReport& step, double time) {
   m_droppedMax = std::max(m_droppedMax, step.droppedRows);
   m_islandsMax = std::max(m_islandsMax, step.contactIslands);
   m_pivotsExhausted += step.pivotsExhausted;
+  m_contactSolver.pivoting += step.contactSolver.pivoting;
+  m_contactSolver.impulses += step.contactSolver.impulses;
+  m_contactSolver.velocities += step.contactSolver.velocities;
+  m_contactSolver.convex += step.contactSolver.convex;
+  m_contactSolver.newtonMax = std::max(m_contactSolver.newtonMax, step.contactSolver.newtonMax);
+  m_contactSolver.rowsMax = std::max(m_contactSolver.rowsMax, step.contactSolver.rowsMax);
   m_residual = std::max(m_residual, step.residual);
   m_complementarity = std::max(m_complementarity, step.complementarity);
   // Half a step of slack: times are sums of steps and carry their round-off.
@@ -158,6 +164,7 @@ void RunGather::finish(RunReport& report) {
   report.cutSteps = m_cut;
   report.refusedHands = m_refusedHands;
   report.pivotsExhausted = m_pivotsExhausted;
+  report.contactSolver = m_contactSolver;
   report.residual = m_residual;
   report.complementarity = m_complementarity;
   report.contactIslandsMax = m_islandsMax;

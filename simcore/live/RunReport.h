@@ -60,6 +60,12 @@ struct ContactCounts {
   int droppedMax = 0;          ///< rows that nothing can move
 };
 
+/// Which methods solved the contact islands of a run; islands summed over all steps.
+struct ContactSolverSummary {
+  long pivoting = 0, impulses = 0, velocities = 0, convex = 0;
+  int newtonMax = 0, rowsMax = 0;
+};
+
 /// How the splitting of the `paper` profile went over the run.
 struct PaperSummary {
   long nodeSteps = 0, objectSteps = 0;  ///< steps with contact in which D held these blocks
@@ -97,7 +103,8 @@ struct RunReport {
   double stepsPerCpuSecond = 0;   ///< the same by thread CPU time: what a machine that others use too can promise
   double residual = 0;            ///< worst of all steps
   double complementarity = 0;     ///< worst of all steps, m/s
-  long pivotsExhausted = 0;
+  long pivotsExhausted = 0;       ///< contact islands whose answer is not right to the tolerance
+  ContactSolverSummary contactSolver;
   std::vector<PartReport> parts;
   int couplingIslands = 0, contactIslandsMax = 0;
   ContactCounts contacts;

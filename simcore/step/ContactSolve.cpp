@@ -11,9 +11,11 @@ namespace glenoid {
 
 namespace {
 
-/// Three rows a contact are dependent as a rule, where a few suffice for the six directions of two rigid bodies; what
-/// this adds is a hundred-millionth of a contact's own answer, and Newton's method settles in all but odd cases.
-constexpr double kFrictionCompliance = 1e-8;
+/// The friction solve is done when Coulomb's law holds to this share of what gravity alone gives in a step, Δt g: what is
+/// left moves a block at rest by less than a micron an hour.
+constexpr double kFeelable = 1e-9;
+/// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step.
+constexpr int kRowsInImpulses = 500;
 
 /// w_n = J v + C λ − c of every contact of an island, from the velocities and impulses as they stand.
 void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
@@ -43,6 +45,7 @@ int chooseViolated(Stepper::Work& work, const ContactIsland& island) {
 /// W = J A⁻¹ Jᵀ + C of the chosen rows, and d = J v − c with the free velocities.
 void buildDelassus(Stepper::Work& work, const ContactIsland& island, int n) {
   const StageClock clock(work.report, Stage::Delassus);
+  sizeDelassus(work, n);
   auto W = work.W.topLeftCorner(n, n);
   W.setZero();
   for (const int index : island.couplingIslands) {
@@ -67,6 +70,70 @@ double momentumResidual(std::vector<IslandWork>& islands) {
   return std::sqrt(error / (scale > 0 ? scale : 1));
 }
 
+/// Whether the island's problem is better put in velocities: more rows than unknowns behind them, or very many rows.
+bool inVelocities(const Stepper::Work& work, const ContactIsland& island, int n) {
+  if (work.options.profile != Profile::Direct) return false;
+  for (const int c : work.unknownContacts)
+    if (work.contacts[c].dent >= 0) return false;  // one compliance for several contacts
+  int unknowns = 0;
+  for (const int index : island.couplingIslands) unknowns += static_cast<int>(work.islands[index].b.size());
+  return n > kRowsInImpulses || (work.tangentialRows > 0 && n >= unknowns);
+}
+
+ConeLimits coneLimits(const Stepper::Work& work, int n, const LcpLimits& limits) {
+  ConeLimits cones;
+  cones.tolerance = frictionTolerance(limits, work.d.head(n));
+  return cones;
+}
+
+/// Solves with the sparse matrix of the island's own velocities; they and the impulses are the answer.
+LcpReport solveInVelocities(Stepper::Work& work, const ContactIsland& island, int n, const LcpLimits& limits) {
+  const StageClock clock(work.report, work.tangentialRows ? Stage::Friction : Stage::Contact);
+  std::vector<VelocityIsland>& parts = work.velocityIslands;
+  parts.clear();
+  for (const int index : island.couplingIslands) {
+    IslandWork& part = work.islands[index];
+    parts.push_back({&part.A, &part.b, part.response.get(), part.chosen, part.chosenIds, &part.v});
+  }
+  work.compliances.clear();
+  for (const int c : work.unknownContacts) work.compliances.push_back(work.contacts[c].compliance);
+  auto& system = work.velocitySystems[island.couplingIslands.front()];
+  if (!system) system = std::make_unique<VelocitySystem>(work.options.portable);
+  system->set(parts, work.unknowns, work.compliances, work.d.head(n));
+  const LcpReport solved = solveCones(*system, work.lambda.head(n), coneLimits(work, n, limits), work.coulomb.cones);
+  for (const int index : island.couplingIslands) {
+    IslandWork& part = work.islands[index];
+    part.lambda.clear();
+    for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
+  }
+  return solved;
+}
+
+LcpReport solveInImpulses(Stepper::Work& work, const ContactIsland& island, int n, const LcpLimits& limits) {
+  buildDelassus(work, island, n);
+  const StageClock clock(work.report, work.tangentialRows ? Stage::Friction : Stage::Contact);
+  const LcpReport solved = solveChosen(work, n, limits);
+  for (const int index : island.couplingIslands) {
+    IslandWork& part = work.islands[index];
+    part.lambda.clear();
+    for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
+    part.v = part.free;
+    part.response->addImpulses(part.lambda, part.v);
+  }
+  return solved;
+}
+
+/// Into the report: which method ended the island's problem, and how.
+void countSolve(StepReport& report, bool velocities, bool tangential, int n, int newton, const LcpReport& solved) {
+  ContactSolverCounts& counts = report.contactSolver;
+  (velocities ? counts.velocities : tangential ? counts.impulses : counts.pivoting) += 1;
+  counts.convex += solved.convex;
+  counts.newtonMax = std::max(counts.newtonMax, newton);
+  counts.rowsMax = std::max(counts.rowsMax, n);
+  if (!solved.exact) ++report.pivotsExhausted;
+  report.complementarity = std::max(report.complementarity, solved.error);
+}
+
 void solveContactIsland(Stepper::Work& work, const State& state, const ContactIsland& island) {
   StepReport& report = work.report;
   for (const int c : island.contacts) work.contacts[c].chosen = work.contacts[c].impulse > 0;
@@ -75,21 +142,16 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     normalSpeeds(work, island);
     chooseViolated(work, island);
   }
+  int newton = 0;
   for (int round = 0;; ++round) {
     const int n = chooseRows(work, state, island);
     if (n == 0) return;
-    buildDelassus(work, island, n);
-    const StageClock clock(report, work.tangentialRows ? Stage::Friction : Stage::Contact);
     LcpLimits limits;
-    if (work.tangentialRows) limits.compliance = kFrictionCompliance;
-    const LcpReport solved = solveChosen(work, n, limits);
-    for (const int index : island.couplingIslands) {
-      IslandWork& part = work.islands[index];
-      part.lambda.clear();
-      for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
-      part.v = part.free;
-      part.response->addImpulses(part.lambda, part.v);
-    }
+    if (work.tangentialRows) limits.tolerance = kFeelable * work.settings.dt * work.model->scenario.gravity_W.norm();
+    const bool velocities = inVelocities(work, island, n), tangential = work.tangentialRows > 0;
+    const LcpReport solved = velocities ? solveInVelocities(work, island, n, limits) : solveInImpulses(work, island, n, limits);
+    if (tangential || velocities) newton += solved.pivots;
+    const StageClock clock(report, tangential ? Stage::Friction : Stage::Contact);
     takeImpulses(work);
     normalSpeeds(work, island);
     // The set only grows, so this ends; past a few rounds all are taken at once.
@@ -98,8 +160,7 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     if (more > 0 && round >= kRounds)
       for (const int c : island.contacts) more += !std::exchange(work.contacts[c].chosen, true);
     if (more > 0) continue;
-    if (!solved.exact) ++report.pivotsExhausted;
-    report.complementarity = std::max(report.complementarity, solved.error);
+    countSolve(report, velocities, tangential, n, newton, solved);
     return;
   }
 }
@@ -126,7 +187,6 @@ int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& isl
   }
   if (work.d.size() < n) {
     const Eigen::Index room = n + n / 2 + 8;
-    work.W.resize(room, room);
     work.d.resize(room);
     work.lambda.resize(room);
   }
@@ -157,6 +217,10 @@ int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& isl
     }
   }
   return n;
+}
+
+void sizeDelassus(Stepper::Work& work, int n) {
+  if (work.W.rows() < n) work.W.resize(n + n / 2 + 8, n + n / 2 + 8);
 }
 
 void addCompliance(Stepper::Work& work) {

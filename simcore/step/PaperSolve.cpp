@@ -84,6 +84,7 @@ void solveContactIslandBySplitting(Stepper::Work& work, const State& state, cons
   for (const int c : island.contacts) work.contacts[c].chosen = true;
   const int n = chooseRows(work, state, island);
   const StageClock clock(work.report, Stage::Contact);
+  sizeDelassus(work, n);
   auto B = work.W.topLeftCorner(n, n);
   B.setZero();
   for (const int index : island.couplingIslands) {

@@ -12,6 +12,7 @@
 #include "simcore/contact/Coulomb.h"
 #include "simcore/contact/ImpulseResponse.h"
 #include "simcore/contact/Lcp.h"
+#include "simcore/contact/VelocitySystem.h"
 #include "simcore/linear/ConjugateGradients.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/step/Stepper.h"
@@ -147,6 +148,9 @@ struct Stepper::Work {
   VecX target;                            ///< paper profile: d without J v
   LcpWork lcp;
   CoulombWork coulomb;
+  std::vector<std::unique_ptr<VelocitySystem>> velocitySystems;  ///< by the first coupling island of a contact island
+  std::vector<VelocityIsland> velocityIslands;
+  std::vector<double> compliances;        ///< of the unknown contacts' normal rows
 
   /// The first search of a step.
   void findProximities(const State& state);
@@ -188,6 +192,8 @@ bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3
 void solveConstrained(Stepper::Work& work, const State& state);
 /// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
 int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
+/// Room for n rows of W.
+void sizeDelassus(Stepper::Work& work, int n);
 /// C of the chosen contacts onto W: its diagonal, and what shares a dent.
 void addCompliance(Stepper::Work& work);
 /// Solves for λ with the n unknowns in W and d.

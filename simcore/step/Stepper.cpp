@@ -64,6 +64,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.hands.resize(work.model->scenario.tools.size());
   work.turnStiffness = turnStiffnessOf(*work.inside);
   work.solved.setZero(work.model->start.v.size());
+  work.velocitySystems.resize(work.islands.size());
   if (!work.inside->contact) return;  // an effect that is off allocates nothing
   work.finder = std::make_unique<ProximityFinder>(work.model->collisionSurfaces, work.model->collisionPairs);
   for (const FilmModel& film : work.inside->films)
@@ -177,6 +178,7 @@ void solveContacts(Stepper::Work& work, const State& state) {
   StepReport& report = work.report;
   report.active = report.droppedRows = report.pivotsExhausted = 0;
   report.complementarity = 0;
+  report.contactSolver = {};
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
   buildContacts(work, state);
@@ -234,6 +236,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   report.parts = 1;
   report.refusedHands = report.contacts = report.active = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
+  report.contactSolver = {};
   report.cpuMs.fill(0);
   work.workerMs = 0;
   report.paper = {};

@@ -52,6 +52,16 @@ struct PaperReport {
   bool cgCapped = false, outerCapped = false, diverged = false;
 };
 
+/// Which method solved how many contact islands of a step: the program chooses by rows and what lies behind them.
+struct ContactSolverCounts {
+  int pivoting = 0;    ///< without friction: principal pivoting on W
+  int impulses = 0;    ///< with friction, few rows: Newton on W (ImpulseSystem)
+  int velocities = 0;  ///< many rows, with or without friction: Newton on the sparse A + Jᵀ G J (VelocitySystem)
+  int convex = 0;      ///< of the last two, those that Newton on Coulomb's law left to the convex rounds
+  int newtonMax = 0;   ///< most Newton steps of an island
+  int rowsMax = 0;     ///< most rows of an island
+};
+
 /// What one step did. Valid until the next step of the same Stepper.
 struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
@@ -61,7 +71,8 @@ struct StepReport {
   int filmContacts = 0;           ///< vertices that feel a bursa
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move
-  int pivotsExhausted = 0;        ///< contact islands that fell back to PGS
+  int pivotsExhausted = 0;        ///< contact islands whose answer is not right to the tolerance
+  ContactSolverCounts contactSolver;
   double residual = 0;            ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands
   double complementarity = 0;     ///< worst distance of an impulse from its own projection, m/s
   std::array<double, kStageCount> cpuMs{};  ///< thread CPU time
