@@ -36,12 +36,13 @@ void HandInput::restart(const Scenario& scenario, std::shared_ptr<const Recordin
 void HandInput::change(const Scenario& scenario, std::shared_ptr<const Recording> recording) {
   const std::vector<Follower> followers = m_followers;
   const std::vector<Pose> hands = m_hands;
+  const bool samePath = recording == m_recording;
   restart(scenario, std::move(recording));
   for (std::size_t i = 0; i < m_followers.size(); ++i) {
     for (std::size_t old = 0; old < followers.size(); ++old) {
       if (followers[old].tool != m_followers[i].tool) continue;
       m_hands[i] = hands[old];
-      m_followers[i].gliding = true;  // the hand may be off the recording's path
+      m_followers[i].gliding = followers[old].gliding || !samePath;  // the hand may be off another recording's path
     }
   }
 }
