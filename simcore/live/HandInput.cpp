@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/live/HandInput.h"
 
+#include "simcore/base/Turns.h"
+
 namespace glenoid {
 
 Pose approach(const Pose& from, const Pose& to, double distanceMax, double angleMax) {
@@ -8,8 +10,8 @@ Pose approach(const Pose& from, const Pose& to, double distanceMax, double angle
   const Vec3 way = to.p_WB - from.p_WB;
   const double distance = way.norm();
   if (distance > distanceMax) result.p_WB = from.p_WB + way * (distanceMax / distance);
-  const double angle = from.q_WB.angularDistance(to.q_WB);
-  if (angle > angleMax) result.q_WB = from.q_WB.slerp(angleMax / angle, to.q_WB);
+  const double angle = turnBetween(from.q_WB, to.q_WB);
+  if (angle > angleMax) result.q_WB = turnTowards(from.q_WB, to.q_WB, angleMax / angle);
   return result;
 }
 
