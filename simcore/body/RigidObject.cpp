@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/base/Turns.h"
+
 namespace glenoid {
 
 Result<MassProperties> massPropertiesOf(const TriMesh& surface, double density) {
@@ -72,10 +74,6 @@ void RigidObject::advance(double dt, State& state) const {
     const Vec3 momentum_W = pose.q_WB * (inertia * (pose.q_WB.conjugate() * omega));
     const int turns = static_cast<int>(std::min<double>(kTurnsMost, std::ceil(dt * omega.norm() / kTurnMax)));
     const double h = dt / turns;
-    const auto turnBy = [](const Vec3& angle) {
-      const double size = angle.norm();
-      return size > 0 ? Quat(Eigen::AngleAxisd(size, angle / size)) : Quat::Identity();
-    };
     for (int turn = 0; turn < turns; ++turn) {
       const Vec3 L = pose.q_WB.conjugate() * momentum_W;
       Vec3 spin = inverse * L;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cassert>
 #include <cstdint>
+#include <utility>
 
 #include "simcore/collide/MovingSurface.h"
 
@@ -20,6 +21,21 @@ struct FeatureKey {
     key = key << kKindBits | combination(kindA, kindB);
     key = key << kIdBits | static_cast<std::uint64_t>(idA);
     return key << kIdBits | static_cast<std::uint64_t>(idB);
+  }
+
+  /// The pair in a key, and the feature of a.
+  static int pairOf(std::uint64_t key) { return static_cast<int>(key >> (2 * kIdBits + kKindBits)); }
+  static int idA(std::uint64_t key) { return static_cast<int>(key >> kIdBits & ((std::uint64_t{1} << kIdBits) - 1)); }
+  /// The same features as those of another pair; `swapped`: its a is this key's b.
+  static std::uint64_t renamed(std::uint64_t key, int pair, bool swapped) {
+    constexpr std::uint64_t kIdMask = (std::uint64_t{1} << kIdBits) - 1;
+    constexpr std::uint64_t kSwapped[] = {1, 0, 2, 4, 3, 5, 6, 7};
+    std::uint64_t kinds = key >> 2 * kIdBits & ((1u << kKindBits) - 1), idA = key >> kIdBits & kIdMask, idB = key & kIdMask;
+    if (swapped) {
+      kinds = kSwapped[kinds];
+      std::swap(idA, idB);
+    }
+    return ((static_cast<std::uint64_t>(pair) << kKindBits | kinds) << kIdBits | idA) << kIdBits | idB;
   }
 
  private:

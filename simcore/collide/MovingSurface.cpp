@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {
@@ -24,7 +25,7 @@ BoxTree restTree(const CollisionSurface& surface) {
 
 /// Angle between two vectors, by a form that keeps its digits near 0 and π.
 double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  return plain::arcTangent(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using Vec2 = Eigen::Vector2d;
 /// Largest eigenvalue of the 2×2 block at (i, i).
 double stiffest(const Eigen::Ref<const MatX>& W, int i) {
   const double mean = 0.5 * (W(i, i) + W(i + 1, i + 1)), half = 0.5 * (W(i, i) - W(i + 1, i + 1));
-  return mean + std::hypot(half, W(i + 1, i));
+  return mean + std::sqrt(half * half + W(i + 1, i) * W(i + 1, i));
 }
 
 /// One round over all contacts, in order: normal, then the tangential pair onto the disk of the new normal impulse.

@@ -2,6 +2,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/CageWeights.h"
 #include "simcore/embed/Cells.h"
@@ -40,7 +41,7 @@ Mat34 gradientsOf(const TetMesh& mesh, int tet) {
 Result<MatX> harmonicCoordinates(const TriMesh& cage, std::span<const Vec3> points) {
   // About fourteen cells across the mean extent resolve what a hundred handles can say.
   const Vec3 extent = boundsOf(cage).sizes();
-  auto grid = embedInCells(cage, cage, std::cbrt(extent.prod()) / 14);
+  auto grid = embedInCells(cage, cage, plain::cubeRoot(extent.prod()) / 14);
   if (!grid) return grid.error();
   const int n = static_cast<int>(grid->nodes.size()), handles = static_cast<int>(cage.vertices.size());
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "simcore/base/PlainMath.h"
+
 namespace glenoid {
 namespace {
 
@@ -14,7 +16,7 @@ void setFlat(VecX& weights, const std::array<int, 3>& corners, const std::array<
   weights.setZero();
   for (int i = 0; i < 3; ++i) {
     const int next = (i + 1) % 3, last = (i + 2) % 3;
-    weights[corners[i]] += std::sin(theta[i]) * distance[next] * distance[last];
+    weights[corners[i]] += plain::sine(theta[i]) * distance[next] * distance[last];
   }
 }
 
@@ -41,7 +43,7 @@ VecX meanValueCoordinates(const TriMesh& surface, const Vec3& p) {
     const std::array<double, 3> far{distance[t[0]], distance[t[1]], distance[t[2]]};
     for (int i = 0; i < 3; ++i) {
       const double chord = (unit[t[(i + 1) % 3]] - unit[t[(i + 2) % 3]]).norm();
-      theta[i] = 2 * std::asin(std::min(1.0, chord / 2));
+      theta[i] = 2 * plain::arcSine(chord / 2);
     }
     const double h = (theta[0] + theta[1] + theta[2]) / 2;
     if (std::numbers::pi - h < kFlat) {  // the point lies in the triangle
@@ -53,12 +55,12 @@ VecX meanValueCoordinates(const TriMesh& surface, const Vec3& p) {
     std::array<double, 3> cosine;
     for (int i = 0; i < 3; ++i) {
       const int next = (i + 1) % 3, last = (i + 2) % 3;
-      const double down = std::sin(theta[next]) * std::sin(theta[last]);
+      const double down = plain::sine(theta[next]) * plain::sine(theta[last]);
       if (!(down > 0)) {
         inPlane = true;
         break;
       }
-      cosine[i] = 2 * std::sin(h) * std::sin(h - theta[i]) / down - 1;
+      cosine[i] = 2 * plain::sine(h) * plain::sine(h - theta[i]) / down - 1;
       sine[i] = std::copysign(std::sqrt(std::max(0.0, 1 - cosine[i] * cosine[i])), turn);
       if (std::abs(sine[i]) <= kFlat) inPlane = true;
     }
@@ -66,7 +68,7 @@ VecX meanValueCoordinates(const TriMesh& surface, const Vec3& p) {
     for (int i = 0; i < 3; ++i) {
       const int next = (i + 1) % 3, last = (i + 2) % 3;
       weights[t[i]] += (theta[i] - cosine[next] * theta[last] - cosine[last] * theta[next]) /
-                       (far[i] * std::sin(theta[next]) * sine[last]);
+                       (far[i] * plain::sine(theta[next]) * sine[last]);
     }
   }
   return weights / weights.sum();

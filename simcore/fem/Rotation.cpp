@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/fem/Rotation.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <cmath>
+
+#include "simcore/base/Turns.h"
 
 namespace glenoid {
 
@@ -29,13 +30,12 @@ bool solvePositive(const Mat3& H, const Vec3& a, double scale, Vec3& x) {
 /// Newton with the curvatures made positive: away from saddles and minima, toward the maximum. Where the slope
 /// vanishes although a curvature has the wrong sign, along that curvature.
 Vec3 uphill(const Mat3& H, const Vec3& gradient, double scale) {
-  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
-  eigen.computeDirect(H);
-  Vec3 step = eigen.eigenvectors().transpose() * gradient;
+  const SymmetricEigen eigen = symmetricEigen(H);
+  Vec3 step = eigen.vectors.transpose() * gradient;
   const bool isFlat = gradient.norm() <= 1e-12 * scale;
-  for (int i = 0; i < 3; ++i) step[i] /= std::max(std::abs(eigen.eigenvalues()[i]), 1e-3 * scale);
-  if (isFlat && eigen.eigenvalues()[0] < -1e-9 * scale) step = Vec3(0.5, 0, 0);
-  return eigen.eigenvectors() * step;
+  for (int i = 0; i < 3; ++i) step[i] /= std::max(std::abs(eigen.values[i]), 1e-3 * scale);
+  if (isFlat && eigen.values[0] < -1e-9 * scale) step = Vec3(0.5, 0, 0);
+  return eigen.vectors * step;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/live/HandInput.h"
 
+#include "simcore/base/Turns.h"
+
 namespace glenoid {
 
 Pose approach(const Pose& from, const Pose& to, double distanceMax, double angleMax) {
@@ -8,8 +10,8 @@ Pose approach(const Pose& from, const Pose& to, double distanceMax, double angle
   const Vec3 way = to.p_WB - from.p_WB;
   const double distance = way.norm();
   if (distance > distanceMax) result.p_WB = from.p_WB + way * (distanceMax / distance);
-  const double angle = from.q_WB.angularDistance(to.q_WB);
-  if (angle > angleMax) result.q_WB = from.q_WB.slerp(angleMax / angle, to.q_WB);
+  const double angle = turnBetween(from.q_WB, to.q_WB);
+  if (angle > angleMax) result.q_WB = turnTowards(from.q_WB, to.q_WB, angleMax / angle);
   return result;
 }
 
@@ -36,12 +38,13 @@ void HandInput::restart(const Scenario& scenario, std::shared_ptr<const Recordin
 void HandInput::change(const Scenario& scenario, std::shared_ptr<const Recording> recording) {
   const std::vector<Follower> followers = m_followers;
   const std::vector<Pose> hands = m_hands;
+  const bool samePath = recording == m_recording;
   restart(scenario, std::move(recording));
   for (std::size_t i = 0; i < m_followers.size(); ++i) {
     for (std::size_t old = 0; old < followers.size(); ++old) {
       if (followers[old].tool != m_followers[i].tool) continue;
       m_hands[i] = hands[old];
-      m_followers[i].gliding = true;  // the hand may be off the recording's path
+      m_followers[i].gliding = followers[old].gliding || !samePath;  // the hand may be off another recording's path
     }
   }
 }

@@ -25,7 +25,8 @@ class HandInput {
 
   /// Hands go to the tools' home poses. `recording` may be null; tracks of unknown tools are ignored.
   void restart(const Scenario& scenario, std::shared_ptr<const Recording> recording);
-  /// For a changed scenario: tools that stay keep the pose of their hand.
+  /// For a changed scenario: tools that stay keep the pose of their hand, and go on along the same recording as before;
+  /// onto another one they glide.
   void change(const Scenario& scenario, std::shared_ptr<const Recording> recording);
   /// Hand poses at the end of the step that reaches `time`; `wishes` by tool order, may be shorter.
   const std::vector<Pose>& advance(const std::vector<HandWish>& wishes, double time, double dt);

@@ -48,7 +48,8 @@ class SimulationThread {
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;
 
-  /// `carry`: keep what moves by id, else start over. The hands keep their place when carried.
+  /// `carry`: keep what moves by id, else start over. The hands keep their place when carried; carried into an equal
+  /// model, a run goes on to the same bits as if nothing had happened.
   void setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry);
   /// Null: tools that nobody holds stay where they are.
   void setRecording(std::shared_ptr<const Recording> recording);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "simcore/base/Turns.h"
+
 namespace glenoid {
 
 Pose handAt(const HandTrack& track, double time) {
@@ -15,7 +17,7 @@ Pose handAt(const HandTrack& track, double time) {
   if (after == track.keys.end()) return a.hand;
   const HandKey& b = *after;
   const double s = (time - a.time) / (b.time - a.time);
-  return {a.hand.p_WB + s * (b.hand.p_WB - a.hand.p_WB), a.hand.q_WB.slerp(s, b.hand.q_WB)};
+  return {a.hand.p_WB + s * (b.hand.p_WB - a.hand.p_WB), turnTowards(a.hand.q_WB, b.hand.q_WB, s)};
 }
 
 }  // namespace glenoid

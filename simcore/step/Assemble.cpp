@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/base/Turns.h"
 #include "simcore/body/RigidObject.h"
 #include "simcore/step/StepWork.h"
 
@@ -22,7 +23,7 @@ void moveHands(Stepper::Work& work, const State& state, int partsLeft) {
     if (partsLeft == 1) continue;
     const Pose last = poseAt(state.hands, 7 * static_cast<int>(tool));
     work.hands[tool].p_WB = last.p_WB + (work.wanted[tool].p_WB - last.p_WB) / partsLeft;
-    work.hands[tool].q_WB = last.q_WB.slerp(1.0 / partsLeft, work.wanted[tool].q_WB);
+    work.hands[tool].q_WB = turnTowards(last.q_WB, work.wanted[tool].q_WB, 1.0 / partsLeft);
   }
 }
 

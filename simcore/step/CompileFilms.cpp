@@ -66,6 +66,7 @@ std::vector<FilmModel> compileFilms(const Model& model) {
     for (const BursaSide& side : bursa.floor) addFloor(model.joint, side, film);
     for (const BursaSide& side : bursa.roof) addRoof(model.joint, side, film);
     if (film.sides.floor.empty() || film.sides.roof.empty()) continue;
+    film.id = bursa.id;
     film.firstKey = keys;
     keys += static_cast<int>(film.sides.floor.size());
     film.thickness = bursa.thickness;

@@ -6,6 +6,7 @@
 // has no state of its own: it follows from the forces of the step, and goes with them.
 #include <cmath>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/step/CompileObjects.h"
 #include "simcore/step/StepWork.h"
@@ -30,7 +31,7 @@ Softness softnessAt(const DentModel& dents, const Vec3& at_W) {
     compliance += weight * dents.logCompliance[i];
     depth += weight * dents.depthMost[i];
   }
-  return {std::exp(compliance / sum), depth / sum};
+  return {plain::exponential(compliance / sum), depth / sum};
 }
 
 Vec3 along(const FeaturePoint& feature, std::span<const Vec3> vertices) {
@@ -50,7 +51,7 @@ std::vector<DentModel> compileDents(const Model& model) {
     dents[i].radius = part.dents->radius;
     for (const DentSample& sample : part.dents->samples) {
       dents[i].at_W.push_back(sample.at_W);
-      dents[i].logCompliance.push_back(std::log(std::max(sample.compliance, kLeast)));
+      dents[i].logCompliance.push_back(plain::logarithm(std::max(sample.compliance, kLeast)));
       dents[i].depthMost.push_back(sample.depthMost);
       any = true;
     }
@@ -62,7 +63,7 @@ std::vector<DentModel> compileDents(const Model& model) {
 double dentCompliance(const Stepper::Work& work, const DentContact& a, const DentContact& b) {
   const double share = kSharing * a.radius, dt = work.settings.dt;
   const Vec3 &n = work.contacts[a.contact].near->normal_W, &m = work.contacts[b.contact].near->normal_W;
-  return a.rootCompliance * b.rootCompliance * n.dot(m) * std::exp(-(a.point_W - b.point_W).squaredNorm() / (2 * share * share)) / (dt * dt);
+  return a.rootCompliance * b.rootCompliance * n.dot(m) * plain::exponential(-(a.point_W - b.point_W).squaredNorm() / (2 * share * share)) / (dt * dt);
 }
 
 double dentSpeed(const Stepper::Work& work, const StepContact& contact) {

@@ -39,6 +39,7 @@ struct CouplingIslandModel {
 
 /// A bursa compiled: whose vertices feel whose triangles, and how a film presses.
 struct FilmModel {
+  std::string id;                       ///< of the bursa
   FilmSides sides;                      ///< its surfaces are objects
   int firstKey = 0;                     ///< of its touches
   double thickness = 0;                 ///< m

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/tool/PoseSpring.h"
 
-#include <cmath>
+#include "simcore/base/Turns.h"
 
 namespace glenoid {
 
 Vec6 springWrench(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, const VecX& q) {
   const Pose pose = body.pose(q);
   const Vec3 force = spring.stiffness * (target.anchor_W - pose * spring.anchor_B);
-  Quat error = target.q_WB * pose.q_WB.conjugate();
-  if (error.w() < 0) error.coeffs() *= -1;  // the short way round
-  const double sine = error.vec().norm();
-  const Vec3 theta = sine > 1e-12 ? Vec3(2 * std::atan2(sine, error.w()) / sine * error.vec()) : Vec3(2 * error.vec());
+  const Vec3 theta = rotationVector(target.q_WB * pose.q_WB.conjugate());
   Vec6 wrench;
   wrench << force, spring.angularStiffness * theta;
   return wrench;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "simcore/base/PlainMath.h"
+
 namespace glenoid {
 
 namespace {
@@ -22,7 +24,7 @@ TriMesh sweep(const std::vector<Ring>& rings, const Vec3& first, const Vec3& las
     const Vec3 side = Vec3::UnitY(), up = ring.direction.cross(side);
     for (int s = 0; s < segments; ++s) {
       const double angle = 2 * std::numbers::pi * s / segments;
-      mesh.vertices.push_back(ring.centre + ring.radius * (std::cos(angle) * up + std::sin(angle) * side));
+      mesh.vertices.push_back(ring.centre + ring.radius * (plain::cosine(angle) * up + plain::sine(angle) * side));
     }
   }
   mesh.vertices.push_back(last);
@@ -47,7 +49,7 @@ TriMesh straight(double length, double tip, double full, double taper, int segme
   std::vector<Ring> rings;
   const Vec3 z = Vec3::UnitZ();
   for (const double polar : {0.5, 1.0, 1.5})  // rad from the pole: the rounded end
-    rings.push_back({tip * (1 - std::cos(polar)) * z, z, tip * std::sin(polar)});
+    rings.push_back({tip * (1 - plain::cosine(polar)) * z, z, tip * plain::sine(polar)});
   for (const double fraction : {0.04, 0.08, 0.14, 0.22, 0.35, 0.6, 1.0}) {
     const double at = std::max(tip * 1.3, fraction * length);
     rings.push_back({at * z, z, tip + (full - tip) * std::min(1.0, at / taper)});
@@ -65,8 +67,8 @@ TriMesh hooked(double length, double radius, int segments) {
   rings.push_back({Vec3(bend, 0, radius), -x, radius});
   for (const double turn : {0.25, 0.5, 0.75, 1.0}) {
     const double angle = turn * std::numbers::pi / 2;
-    rings.push_back({Vec3(bend * (1 - std::sin(angle)), 0, radius + bend * (1 - std::cos(angle))),
-                     Vec3(-std::cos(angle), 0, std::sin(angle)), radius});
+    rings.push_back({Vec3(bend * (1 - plain::sine(angle)), 0, radius + bend * (1 - plain::cosine(angle))),
+                     Vec3(-plain::cosine(angle), 0, plain::sine(angle)), radius});
   }
   for (const double fraction : {0.05, 0.09, 0.14, 0.22, 0.35, 0.6, 1.0})
     rings.push_back({(radius + bend + fraction * (length - radius - bend)) * z, z, radius});
@@ -79,9 +81,9 @@ TriMesh ball(double length, double radius, int segments) {
   std::vector<Ring> rings;
   const Vec3 z = Vec3::UnitZ();
   for (int k = 1; k < segments / 2; ++k) {
-    const double polar = 2 * std::numbers::pi * k / segments, ring = radius * std::sin(polar);
+    const double polar = 2 * std::numbers::pi * k / segments, ring = radius * plain::sine(polar);
     if (polar > std::numbers::pi / 2 && ring < 1.5 * shaft) break;  // the shaft begins here
-    rings.push_back({radius * (1 - std::cos(polar)) * z, z, ring});
+    rings.push_back({radius * (1 - plain::cosine(polar)) * z, z, ring});
   }
   const double neck = radius * (1 + std::sqrt(1 - 0.25 * 0.25));
   for (const double at : {neck, std::max(length, 1.1 * neck)}) rings.push_back({at * z, z, shaft});
