@@ -57,7 +57,7 @@ struct Load {
   std::string part;                 ///< id of a part that is not fixed
   Vec3 force_W = Vec3::Zero();      ///< N
   Vec3 torque_W = Vec3::Zero();     ///< N·m
-  std::optional<Vec3> point_W;      ///< m, at rest; of a soft part inside its tetrahedra
+  std::optional<Vec3> point_W = std::nullopt;      ///< m, at rest; of a soft part inside its tetrahedra
   bool operator==(const Load&) const = default;
 };
 

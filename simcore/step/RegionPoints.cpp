@@ -38,8 +38,11 @@ class Corners {
     Key key{};
     int used = 0;
     for (int corner = 0; corner < 3; ++corner)
-      if (weight[corner] > 0) key[used++] = {triangle[corner] + 1, weight[corner]};
-    std::sort(key.begin(), key.begin() + used);
+      if (weight[corner] > 0) {
+        int place = used++;
+        for (; place > 0 && key[place - 1][0] > triangle[corner] + 1; --place) key[place] = key[place - 1];
+        key[place] = {triangle[corner] + 1, weight[corner]};
+      }
     const auto [place, isNew] = m_index.try_emplace(key, static_cast<int>(m_out.size()));
     if (isNew) {
       Vec3 p = Vec3::Zero();
