@@ -8,17 +8,18 @@
 #include <numbers>
 
 #include "simcore/file/Schema.h"
+#include "simcore/step/StepModel.h"
 #include "tests/scenes/LadderScenes.h"
 
 namespace glenoid {
 namespace {
 
-struct Run {
+struct Played {
   std::shared_ptr<const Model> model;
   State state;
   std::vector<ContactView> contacts;
 
-  explicit Run(const scenes::LadderScene& scene) : model(compileModel(scene.joint, scene.scenario).value()), state(model->start), m_stepper(model, {}) {}
+  explicit Played(const scenes::LadderScene& scene) : model(compileModel(scene.joint, scene.scenario).value()), state(model->start), m_stepper(model, {}) {}
   void steps(int count) {
     for (int i = 0; i < count; ++i) {
       const StepReport& report = m_stepper.step({}, state);
@@ -48,7 +49,7 @@ TEST(Readings, aRigidBoxHasTheMassCentreAndInertiaOfABoxHoweverItIsTurned) {
   scenes::LadderScene scene = blocks();
   const Vec3 low(0.1, 0.2, -0.3), size(0.02, 0.05, 0.03);
   scene.joint.parts = {scenes::boxPart("box", 1, PartKind::Rigid, low, low + size)};
-  Run run(scene);
+  Played run(scene);
   const double mass = 2000 * size.prod();
   const Quat turn(Eigen::AngleAxisd(0.8, Vec3(1, -2, 0.5).normalized()));
   setPoseAt(run.state.q, 0, {Vec3(1, 2, 3), turn});
@@ -68,7 +69,7 @@ TEST(Readings, aRigidBoxHasTheMassCentreAndInertiaOfABoxHoweverItIsTurned) {
 TEST(Readings, aSoftPartThatMovesAsOneIsReadLikeARigidBodyOfItsNodes) {
   scenes::LadderScene scene = blocks();
   scene.joint.parts = {scenes::boxPart("cube", 1, PartKind::Soft, Vec3(0.1, 0, 0), Vec3(0.14, 0.02, 0.03), 3)};
-  Run run(scene);
+  Played run(scene);
   const ObjectLayout& layout = run.model->objects[0].layout;
   const std::vector<Vec3>& rest = run.model->objects[0].volume->nodes;
   const Quat turn(Eigen::AngleAxisd(2.5, Vec3(0.3, 1, -0.7).normalized()));
@@ -94,7 +95,7 @@ TEST(Readings, aSoftPartThatMovesAsOneIsReadLikeARigidBodyOfItsNodes) {
 
 TEST(Readings, freeFallIsReadBack) {
   // Backward Euler: v = n Δt g, way = n (n + 1)/2 Δt² g.
-  Run run(scenes::twoFallingBoxes());
+  Played run(scenes::twoFallingBoxes());
   const SceneReading start = run.read();
   const int n = 100;
   run.steps(n);
@@ -121,7 +122,7 @@ TEST(Readings, aPendulumSwingsWithItsPeriod) {
   scene.scenario.holds = {{"bob", 1e7, 0, 1e-3}};
   scene.scenario.dt = 2.5e-4;
   const double mass = 2000 * size.prod(), inertia = boxInertia(mass, size)(2, 2) + mass * d * d, omega = std::sqrt(mass * 9.81 * d / inertia);
-  Run run(scene);
+  Played run(scene);
   const auto angle = [&] {
     const Vec3 c = run.read().parts[0].centre_W;
     return std::atan2(c.x(), -c.y()) - lean;  // from the vertical
@@ -151,7 +152,7 @@ TEST(Readings, contactForcesOfABlockAtRestAddUpToItsWeight) {
   scene.joint.parts = {scenes::boxPart("plate", 1, PartKind::Rigid, Vec3(-0.05, -0.01, -0.05), Vec3(0.05, 0, 0.05)),
                        scenes::boxPart("block", 2, PartKind::Rigid, Vec3(-0.012, 0, -0.017), Vec3(0.023, 0.03, 0.011))};
   scene.scenario.fixedParts = {"plate"};
-  Run run(scene);
+  Played run(scene);
   run.steps(200);
   const SceneReading end = run.read();
   const Vec3 c = end.parts[1].centre_W;
@@ -179,7 +180,7 @@ TEST(Readings, aCouplingBearsWhatHangsOnItWithItsTorque) {
   scene.joint.couplings = {{"glue", "hung", "top", "face", 1e9, 1e-2}};
   scene.joint.exclusions = {{"top", "hung", "glued"}};
   scene.scenario.fixedParts = {"top"};
-  Run run(scene);
+  Played run(scene);
   run.steps(2000);
   const SceneReading end = run.read();
   ASSERT_EQ(end.couplings.size(), 1u);
@@ -199,7 +200,7 @@ TEST(Readings, aCouplingBearsWhatHangsOnItWithItsTorque) {
 TEST(Readings, theDocumentFitsItsSchemaAndKeepsEveryDigit) {
   scenes::LadderScene scene{scenes::figure4Joint(), scenes::figure4Scenario()};
   scene.scenario.loads = {{"right", Vec3(0, -1, 0), Vec3::Zero(), Vec3(0.05, 0.01, 0.01)}};
-  Run run(scene);
+  Played run(scene);
   run.steps(20);
   const SceneReading reading = run.read();
   const JsonValue json = toJson(reading, "a.scenario.json");
