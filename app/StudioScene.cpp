@@ -17,8 +17,18 @@ void keepTo(const Joint& joint, const Joint& alsoIn, Scenario& scenario) {
     return a >= 0 && b >= 0 && joint.parts[a].kind == alsoIn.parts[b].kind;
   };
   std::erase_if(scenario.fixedParts, [&](const std::string& id) { return !there(id); });
-  std::erase_if(scenario.holds, [&](const Hold& hold) { return !there(hold.part); });
-  std::erase_if(scenario.loads, [&](const Load& load) { return !there(load.part); });
+  const auto keep = [&](auto& actions) { std::erase_if(actions, [&](const auto& action) { return !there(action.part); }); };
+  keep(scenario.holds);
+  keep(scenario.loads);
+  keep(scenario.motions);
+  const auto keepRegions = [&](auto& actions) {
+    std::erase_if(actions, [&](const auto& action) {
+      return !there(action.part) || !findRegion(joint.parts[findPart(joint, action.part)], action.region) ||
+             !findRegion(alsoIn.parts[findPart(alsoIn, action.part)], action.region);
+    });
+  };
+  keepRegions(scenario.pressures);
+  keepRegions(scenario.supports);
   for (Tool& tool : scenario.tools) std::erase_if(tool.perforates, [&](const std::string& id) { return !there(id); });
 }
 

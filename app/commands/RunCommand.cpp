@@ -8,16 +8,20 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/Outcome.h"
 #include "app/commands/Picture.h"
+#include "simcore/file/AtomicWrite.h"
 #include "simcore/live/Run.h"
+#include "simcore/reading/Readings.h"
+#include "simcore/reading/Tissue.h"
+#include "simcore/reading/Trace.h"
 
 namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, effects, record, report, render;
+  std::string scenario, profile, input, effects, record, report, render, state, vtu, trace, traceParts, tracePairs;
   double seconds = 0, dt = 0;
   long steps = 0;
-  int threads = 1;
+  int threads = 1, every = 1;
   std::optional<unsigned> seed;
   bool realtime = false, portable = false;
 };
@@ -39,7 +43,51 @@ Result<std::optional<Recording>> inputOf(const Wishes& wishes, const Scenario& s
   return std::optional<Recording>(std::move(*recording));
 }
 
+/// A path that cannot be written is said before the run, not after its minutes.
+Result<Done> checkOutputs(const Wishes& wishes) {
+  std::vector<const std::string*> paths;
+  for (const std::string* path : {&wishes.record, &wishes.report, &wishes.render, &wishes.state, &wishes.vtu, &wishes.trace}) {
+    if (path->empty()) continue;
+    for (const std::string* other : paths)
+      if (*other == *path) return usageError("two outputs go to the same file, " + *path);
+    paths.push_back(path);
+    if (const auto good = checkWritable(*path); !good) return good;
+  }
+  return Done{};
+}
+
+Result<TraceWishes> traceWishes(const Wishes& wishes) {
+  TraceWishes trace;
+  trace.every = wishes.every;
+  if (!wishes.traceParts.empty()) {
+    auto parts = tracePartsIn(wishes.traceParts);
+    if (!parts) return parts.error();
+    trace.parts = std::move(*parts);
+  }
+  if (!wishes.tracePairs.empty()) {
+    auto pairs = tracePairsIn(wishes.tracePairs);
+    if (!pairs) return pairs.error();
+    trace.pairs = std::move(*pairs);
+  }
+  return trace;
+}
+
+/// What was asked to be read off the end of the run.
+Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunResult& result, const std::optional<Trace>& trace) {
+  if (!wishes.state.empty()) {
+    const JsonValue state = toJson(readScene(model, result.state, result.contacts), wishes.scenario);
+    if (const auto saved = writeJson(wishes.state, state); !saved) return saved;
+  }
+  if (!wishes.vtu.empty()) {
+    const Result<std::string> tissue = tissueVtu(model, result.state);
+    if (!tissue) return tissue.error();
+    if (const auto saved = writeWholeFile(wishes.vtu, *tissue); !saved) return saved;
+  }
+  return trace ? writeWholeFile(wishes.trace, trace->csv()) : Done{};
+}
+
 Result<Done> run(const Wishes& wishes) {
+  if (const auto good = checkOutputs(wishes); !good) return good;
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
   if (const auto set = applyWishes(wishes, scene->scenario); !set) return set.error();
@@ -47,6 +95,17 @@ Result<Done> run(const Wishes& wishes) {
   if (!input) return input.error();
   const auto model = compileModel(scene->joint, scene->scenario);
   if (!model) return model.error();
+  std::optional<Trace> trace;
+  if (!wishes.trace.empty()) {
+    const Result<TraceWishes> asked = traceWishes(wishes);
+    if (!asked) return asked.error();
+    Result<Trace> made = Trace::make(**model, *asked);
+    if (!made) return made.error();
+    trace = std::move(*made);
+    trace->begin((*model)->start);
+  }
+  if (!wishes.vtu.empty())
+    if (const auto tissue = tissueVtu(**model, (*model)->start); !tissue) return tissue.error();
 
   RunOptions options;
   options.steps = wishes.steps;
@@ -57,6 +116,7 @@ Result<Done> run(const Wishes& wishes) {
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
   options.realtime = wishes.realtime;
+  if (trace) options.observe = [&trace](const StepReport& step, const State& state) { trace->add(step, state); };
   ProgressLine progress("Running " + wishes.scenario);
   options.progress = [&](double fraction) {
     progress.show(fraction);
@@ -71,6 +131,7 @@ Result<Done> run(const Wishes& wishes) {
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
     if (const auto saved = saveOutcome(result->report, wishes.report); !saved) return saved.error();
+  if (const auto saved = saveReadings(wishes, **model, *result, trace); !saved) return saved;
   if (!wishes.render.empty()) {
     PictureWishes picture;
     picture.out = wishes.render;
@@ -101,6 +162,18 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--record", wishes->record, "Write a .recording that “glenoid replay --check” can repeat");
   command->add_option("--report", wishes->report, "Write the report as JSON");
   command->add_option("--render", wishes->render, "Write a picture of the end as PNG");
+  command->add_option("--state", wishes->state,
+                      "Write where parts are and what acts on them at the end as JSON (schemas/run-state.schema.json)");
+  auto* trace = command->add_option("--trace", wishes->trace,
+                                    "Write a table (CSV) of how parts move and press on each other, a row at the start and every N steps");
+  command->add_option("--every", wishes->every, "Steps between two rows of the trace")->check(CLI::Range(1, 1000000000))->needs(trace);
+  command->add_option("--trace-parts", wishes->traceParts, "Parts or tools of the trace, as ID,ID,…; without it all that move")
+      ->needs(trace);
+  command->add_option("--trace-pairs", wishes->tracePairs,
+                      "Pairs whose contact force the trace holds, on the first of each, as ID:ID,…; without it all that touch")
+      ->needs(trace);
+  command->add_option("--vtu", wishes->vtu,
+                      "Write displacement, strain, stress and von Mises stress of the soft parts at the end as VTK unstructured grid");
   command->add_option("--seed", wishes->seed, "Seed of whatever is drawn at random");
   command->add_flag("--portable", wishes->portable, "Use no SIMD kernels: same bits on every processor");
   command->callback([wishes, &status] {

@@ -142,6 +142,7 @@ bool removeRegion(Document& document, const std::string& part, const std::string
   document.edit(AuthorEdits::tr("Remove the region “%1”").arg(name), ofParts({part}), [&](Scene& scene) {
     auto& regions = scene.joint.parts[p].regions;
     regions.erase(regions.begin() + r);
+    dropActionsOn(scene.scenario, part, region);
   });
   return true;
 }

@@ -138,8 +138,7 @@ bool removePart(Document& document, const std::string& part) {
     dropCage(joint, part);
     Scenario& scenario = scene.scenario;
     std::erase(scenario.fixedParts, part);
-    std::erase_if(scenario.holds, [&](const Hold& hold) { return hold.part == part; });
-    std::erase_if(scenario.loads, [&](const Load& load) { return load.part == part; });
+    dropActionsOn(scenario, part);
     for (Tool& tool : scenario.tools) std::erase(tool.perforates, part);
   });
 }
@@ -149,13 +148,17 @@ bool setPartSurface(Document& document, const std::string& part, SurfaceKind kin
   const QString name = nameOf(document.joint(), part);
   const QString text = kind == SurfaceKind::Visual ? PartEdits::tr("Replace the visual surface of “%1”").arg(name)
                                                    : PartEdits::tr("Replace the collision surface of “%1”").arg(name);
-  return changePart(document, part, text, [&](Joint& joint, Part& p) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0) return false;
+  return change(document, text, [&](Scene& scene) {
+    Part& p = scene.joint.parts[index];
     (kind == SurfaceKind::Visual ? p.visual : p.collision) = mesh;
     std::vector<std::string> lost;
     for (const Region& region : p.regions)
       if (region.surface == kind && !reaches(region, *mesh)) lost.push_back(region.id);
     for (const std::string& region : lost) {
-      dropReferences(joint, part, region);
+      dropReferences(scene.joint, part, region);
+      dropActionsOn(scene.scenario, part, region);
       std::erase_if(p.materials, [&](const MaterialUse& use) { return use.region == region; });
       std::erase_if(p.regions, [&](const Region& r) { return r.id == region; });
     }

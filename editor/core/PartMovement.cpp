@@ -36,9 +36,10 @@ bool setMovement(Document& document, const std::string& part, Movement movement)
     Scenario& scenario = scene.scenario;
     std::erase(scenario.fixedParts, part);
     std::erase_if(scenario.holds, [&](const Hold& hold) { return hold.part == part; });
+    std::erase_if(scenario.motions, [&](const Motion& motion) { return motion.part == part; });
     if (movement == Movement::Fixed) {
+      dropActionsOn(scenario, part);
       scenario.fixedParts.push_back(part);
-      std::erase_if(scenario.loads, [&](const Load& load) { return load.part == part; });
     }
     if (movement == Movement::Held) {
       Hold hold;

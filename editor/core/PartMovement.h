@@ -13,7 +13,8 @@ enum class Movement { Fixed, Held, Free };
 Movement movementOf(const Scenario& scenario, const std::string& part);
 
 /// One undo step, which changes the scenario. False where the part is unknown, moves so already, or is soft and should
-/// be held. A part that is held anew gets the spring of a default Hold; loads on a part that becomes fixed go.
+/// be held. A part that is held anew gets the spring of a default Hold; what pushes a part that becomes fixed goes,
+/// and so does the prescribed motion of one that becomes free.
 bool setMovement(Document& document, const std::string& part, Movement movement);
 
 /// A joint without parts and a scenario around it, for beginning anew.

@@ -80,6 +80,14 @@ class ContactObject {
   /// Linear momentum (kg·m/s), then angular momentum about the origin of W (kg·m²/s); zero for a fixed object.
   virtual Vec6 momentum(const State& state) const = 0;
 
+  /// The same for velocities `v` of this object alone, as many as a free object of its kind has; also of a fixed one. With
+  /// rigid motions for v it tells mass, centre and inertia of what the step moves, whatever its mass matrix.
+  virtual Vec6 momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const = 0;
+
+  /// Adds M a, N, to the object's part of a right-hand side: a field of acceleration that is the same everywhere, as
+  /// weight is. Never for a fixed object.
+  virtual void addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const = 0;
+
  private:
   ObjectLayout m_layout;
 };

@@ -112,11 +112,19 @@ double RigidObject::kineticEnergy(const State& state) const {
 }
 
 Vec6 RigidObject::momentum(const State& state) const {
-  Vec6 sum = Vec6::Zero();
-  if (!layout().free) return sum;
-  sum.head<3>() = m_properties.mass * state.v.segment<3>(layout().vOffset);
-  sum.tail<3>() = pose(state.q).p_WB.cross(sum.head<3>()) + inertia_W(state.q) * state.v.segment<3>(layout().vOffset + 3);
+  if (!layout().free) return Vec6::Zero();
+  return momentumOf(state.q, state.v.segment<6>(layout().vOffset));
+}
+
+Vec6 RigidObject::momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const {
+  Vec6 sum;
+  sum.head<3>() = m_properties.mass * v.head<3>();
+  sum.tail<3>() = pose(q).p_WB.cross(sum.head<3>()) + inertia_W(q) * v.tail<3>();
   return sum;
+}
+
+void RigidObject::addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const {
+  f.head<3>() += m_properties.mass * acceleration_W;
 }
 
 }  // namespace glenoid

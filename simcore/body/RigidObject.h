@@ -37,6 +37,8 @@ class RigidObject : public ContactObject {
   double kineticEnergy(const State& state) const override;
   double elasticEnergy(const State&) const override { return 0; }
   Vec6 momentum(const State& state) const override;
+  Vec6 momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const override;
+  void addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const override;
 
   Pose pose(const VecX& q) const { return poseAt(q, layout().qOffset); }
   const MassProperties& properties() const { return m_properties; }

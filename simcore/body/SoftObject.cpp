@@ -185,26 +185,47 @@ double SoftObject::kineticEnergy(const State& state) const {
   return energy;
 }
 
+Mat3 SoftObject::rotationOf(int element, const Mat3& F, const State& state) const {
+  Quat R = Eigen::Map<const Quat>(state.rotations.data() + m_rotationOffset + 4 * element);
+  nearestRotation(F, R);
+  return R.toRotationMatrix();
+}
+
 double SoftObject::elasticEnergy(const State& state) const {
   double energy = 0;
   for (int e = 0; e < elementCount(); ++e) {
     const Mat3 F = deformationGradient(m_elements[e], nodesOf(e, state.q));
-    Quat R = Eigen::Map<const Quat>(state.rotations.data() + m_rotationOffset + 4 * e);
-    nearestRotation(F, R);
-    energy += glenoid::elasticEnergy(m_elements[e], F, R.toRotationMatrix());
+    energy += glenoid::elasticEnergy(m_elements[e], F, rotationOf(e, F, state));
   }
   return energy;
 }
 
+ElementReading SoftObject::readElement(int element, const State& state) const {
+  const CorotTet& tet = m_elements[element];
+  const Mat3 F = deformationGradient(tet, nodesOf(element, state.q)), R = rotationOf(element, F, state);
+  // R (sym(RᵀF) − I) Rᵀ without going through the element's frame.
+  const Mat3 stretch = F * R.transpose();
+  const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
+  return {strain, 2 * tet.lame.mu * strain + tet.lame.lambda * strain.trace() * Mat3::Identity()};
+}
+
 Vec6 SoftObject::momentum(const State& state) const {
+  if (!layout().free) return Vec6::Zero();
+  return momentumOf(state.q, state.v.segment(layout().vOffset, layout().vSize));
+}
+
+Vec6 SoftObject::momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const {
   Vec6 sum = Vec6::Zero();
-  if (!layout().free) return sum;
   for (int node = 0; node < layout().nodeCount; ++node) {
-    const Vec3 p = m_nodeMass[node] * state.v.segment<3>(layout().vOffset + 3 * node);
+    const Vec3 p = m_nodeMass[node] * v.segment<3>(3 * node);
     sum.head<3>() += p;
-    sum.tail<3>() += state.q.segment<3>(layout().qOffset + 3 * node).cross(p);
+    sum.tail<3>() += q.segment<3>(layout().qOffset + 3 * node).cross(p);
   }
   return sum;
+}
+
+void SoftObject::addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const {
+  for (int node = 0; node < layout().nodeCount; ++node) f.segment<3>(3 * node) += m_nodeMass[node] * acceleration_W;
 }
 
 }  // namespace glenoid

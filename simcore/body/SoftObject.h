@@ -19,6 +19,13 @@ struct ElementTissue {
   double fill = 1;                 ///< fraction of the element that is tissue
 };
 
+/// What an element says of its tissue, symmetric tensors in W: strain R (sym(RᵀF) − I) Rᵀ and stress, Pa, of the same law as
+/// the forces of the step (fem/CorotTet.h), without damping. The stress is that of the tissue: an element that is half
+/// tissue carries half of it.
+struct ElementReading {
+  Mat3 strain_W, stress_W;
+};
+
 /// Deformable body: linear corotational tetrahedra, lumped mass; q = nodes, v = node velocities.
 /// An element's stiffness and mass are weighted by its fill, since a 1 mm ligament in 8 mm cells would
 /// otherwise be several times too stiff and too heavy.
@@ -41,12 +48,17 @@ class SoftObject : public ContactObject {
   /// With rotations found from the guesses in State::rotations.
   double elasticEnergy(const State& state) const override;
   Vec6 momentum(const State& state) const override;
+  Vec6 momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const override;
+  void addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const override;
+  /// With the rotation found from the guess in State::rotations.
+  ElementReading readElement(int element, const State& state) const;
 
   int elementCount() const { return static_cast<int>(m_elements.size()); }
 
  private:
   SoftObject(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh, int rotationOffset);
   Mat34 nodesOf(int element, const VecX& q) const;
+  Mat3 rotationOf(int element, const Mat3& F, const State& state) const;
   void buildPacks();
   /// One element by CorotTet: where a lane did not settle, and for the reference.
   void assembleElement(int element, const StepSettings& settings, const VecX& q, const BlockEntry* entries,

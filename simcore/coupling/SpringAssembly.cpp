@@ -54,11 +54,11 @@ void bindSpring(BoundSpring& spring, const VecX& q, const BlockSymbolic& symboli
     for (int j = 0; j <= i; ++j) spring.entries.push_back(symbolic.entry(terms.block[i], terms.block[j]));
 }
 
-void assembleSpring(const BoundSpring& spring, double dt, const VecX& q, BlockMatrix& A, VecX& b) {
+void assembleSpring(const BoundSpring& spring, double dt, const VecX& q, BlockMatrix& A, VecX& b, const Vec3& drift_W) {
   const SpringTerms terms = termsOf(spring, q);
   const Vec3 stretch = spring.a->position(spring.pointA, q) - spring.b->position(spring.pointB, q);
-  const Vec3 impulse = -dt * spring.stiffness * stretch;
   const double scale = dt * dt * spring.stiffness + dt * spring.damping;
+  const Vec3 impulse = -dt * spring.stiffness * stretch - scale * drift_W;
   int at = 0;
   for (int i = 0; i < terms.count; ++i) {
     auto push = b.segment<3>(3 * terms.block[i]);

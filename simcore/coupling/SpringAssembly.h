@@ -12,6 +12,7 @@ namespace glenoid {
 struct BoundSpring {
   const ContactObject* a = nullptr;
   const ContactObject* b = nullptr;
+  int objectA = -1, objectB = -1;   ///< of the scene
   MaterialPoint pointA, pointB;
   int baseA = -1, baseB = -1;
   double stiffness = 0, damping = 0;
@@ -24,7 +25,9 @@ void appendSpringPairs(const BoundSpring& spring, const VecX& q, std::vector<std
 /// Finds the entries; call after the symbolic phase.
 void bindSpring(BoundSpring& spring, const VecX& q, const BlockSymbolic& symbolic);
 
-/// Adds Jᵀ (Δt² k + Δt c) J to A and the spring's force times Δt to the island's right-hand side.
-void assembleSpring(const BoundSpring& spring, double dt, const VecX& q, BlockMatrix& A, VecX& b);
+/// Adds Jᵀ (Δt² k + Δt c) J to A and the spring's force times Δt to the island's right-hand side. `drift_W`: velocity, m/s,
+/// that a prescribed motion gives the stretch p_a − p_b.
+void assembleSpring(const BoundSpring& spring, double dt, const VecX& q, BlockMatrix& A, VecX& b,
+                    const Vec3& drift_W = Vec3::Zero());
 
 }  // namespace glenoid

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "simcore/export/ExportParts.h"
+#include "simcore/export/VtuGrid.h"
 #include "simcore/scene/Start.h"
 
 namespace glenoid::exporting {
@@ -92,57 +93,24 @@ Result<Written> writeVtu(const Joint& joint) {
     if (!start) return start.error();
     starts.push_back(std::move(*start));
   }
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
-      << "<Piece NumberOfPoints=\"" << out.report.nodes << "\" NumberOfCells=\"" << out.report.tetrahedra << "\">\n";
-  const auto array = [&](std::string_view type, std::string_view name, int components) {
-    out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\"";
-    if (components > 1) out << " NumberOfComponents=\"" << components << "\"";
-    out << " format=\"ascii\">\n";
-  };
-  const auto end = [&] { out << "</DataArray>\n"; };
-  out << "<PointData Vectors=\"startDisplacement\">\n";
-  array("Float64", "startDisplacement", 3);  // what the cages do, m
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    for (std::size_t i = 0; i < starts[p].size(); ++i) {
-      const Vec3 u = starts[p][i] - parts[p]->volume->nodes[i];
-      out << u.x() << " " << u.y() << " " << u.z() << "\n";
-    }
-  end();
-  out << "</PointData>\n<CellData>\n";
-  const auto perTet = [&](std::string_view type, std::string_view name, auto&& value) {
-    array(type, name, 1);
+  VtuGrid grid;
+  VtuField& displacement = grid.pointFields.emplace_back(VtuField{"startDisplacement", 3, false, {}});  // what the cages do, m
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    grid.append(*parts[p]->volume);
+    for (std::size_t i = 0; i < starts[p].size(); ++i) displacement.append(Vec3(starts[p][i] - parts[p]->volume->nodes[i]));
+  }
+  const auto perTet = [&](const char* name, bool whole, auto&& value) {
+    VtuField& field = grid.cellFields.emplace_back(VtuField{name, 1, whole, {}});
     for (std::size_t p = 0; p < parts.size(); ++p)
-      for (std::size_t t = 0; t < parts[p]->volume->tets.size(); ++t) out << value(p, t) << "\n";
-    end();
+      for (std::size_t t = 0; t < parts[p]->volume->tets.size(); ++t) field.values.push_back(value(p, t));
   };
   const auto material = [&](std::size_t p, std::size_t t) -> const Material& { return joint.materials[tissues[p].material[t]]; };
-  perTet("Int32", "part", [&](std::size_t p, std::size_t) { return parts[p]->number; });
-  perTet("Float64", "youngsModulus", [&](std::size_t p, std::size_t t) { return material(p, t).youngsModulus; });
-  perTet("Float64", "poissonRatio", [&](std::size_t p, std::size_t t) { return material(p, t).poissonRatio; });
-  perTet("Float64", "density", [&](std::size_t p, std::size_t t) { return material(p, t).density; });
-  perTet("Float64", "fill", [&](std::size_t p, std::size_t t) { return tissues[p].fill[t]; });
-  out << "</CellData>\n<Points>\n";
-  array("Float64", "Points", 3);
-  for (const Part* part : parts)
-    for (const Vec3& x : part->volume->nodes) out << x.x() << " " << x.y() << " " << x.z() << "\n";
-  end();
-  out << "</Points>\n<Cells>\n";
-  array("Int64", "connectivity", 1);
-  long first = 0;
-  for (const Part* part : parts) {
-    for (const auto& tet : part->volume->tets)
-      out << first + tet[0] << " " << first + tet[1] << " " << first + tet[2] << " " << first + tet[3] << "\n";
-    first += static_cast<long>(part->volume->nodes.size());
-  }
-  end();
-  array("Int64", "offsets", 1);
-  for (long t = 1; t <= out.report.tetrahedra; ++t) out << 4 * t << "\n";
-  end();
-  array("UInt8", "types", 1);
-  constexpr int kTetra = 10;
-  for (long t = 0; t < out.report.tetrahedra; ++t) out << kTetra << "\n";
-  end();
-  out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  perTet("part", true, [&](std::size_t p, std::size_t) { return parts[p]->number; });
+  perTet("youngsModulus", false, [&](std::size_t p, std::size_t t) { return material(p, t).youngsModulus; });
+  perTet("poissonRatio", false, [&](std::size_t p, std::size_t t) { return material(p, t).poissonRatio; });
+  perTet("density", false, [&](std::size_t p, std::size_t t) { return material(p, t).density; });
+  perTet("fill", false, [&](std::size_t p, std::size_t t) { return tissues[p].fill[t]; });
+  out << vtuText(grid);
   return out;
 }
 

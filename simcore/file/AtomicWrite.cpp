@@ -113,6 +113,19 @@ Result<std::string> readWholeFile(const std::string& path, std::uint64_t limit) 
   return bytes;
 }
 
+Result<Done> checkWritable(const std::string& path) {
+  const std::string target = targetOf(path);
+  struct stat old {};
+  if (::stat(target.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
+    return fileError(Fault::FileUnwritable, path, S_ISDIR(old.st_mode) ? EISDIR : 0);
+  std::string temporary;
+  const Descriptor file(openBeside(target, temporary));
+  if (!file.valid())
+    return fileError(errno == ENOENT || errno == ENOTDIR ? Fault::FileMissing : Fault::FileUnwritable, path, errno);
+  ::unlink(temporary.c_str());
+  return Done{};
+}
+
 Result<Done> writeWholeFile(const std::string& path, std::string_view bytes) {
   const std::string target = targetOf(path);
   struct stat old {};

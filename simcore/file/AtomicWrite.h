@@ -22,4 +22,7 @@ Result<std::string> readWholeFile(const std::string& path, std::uint64_t limit =
 /// pointed. Fails with FileMissing (no such folder) or FileUnwritable; the old file is then as it was.
 Result<Done> writeWholeFile(const std::string& path, std::string_view bytes);
 
+/// Whether that would go now: fails as it does, and leaves nothing behind. To be asked before long work.
+Result<Done> checkWritable(const std::string& path);
+
 }  // namespace glenoid

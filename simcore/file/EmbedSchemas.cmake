@@ -1,6 +1,6 @@
 # Puts the JSON Schemas into a header, so that a program needs no path to them: cmake -DOUT=… -DFOLDER=… -P this.
 set(text "// Made from resources/schemas by EmbedSchemas.cmake.\n#pragma once\n#include <string_view>\n\nnamespace glenoid::schema_texts {\n\n")
-foreach(name Joint Scenario Recording RunReport Recipe)
+foreach(name Joint Scenario Recording RunReport Recipe RunState)
   string(REGEX REPLACE "([a-z])([A-Z])" "\\1-\\2" file "${name}")
   string(TOLOWER "${file}" file)
   file(READ "${FOLDER}/${file}.schema.json" content)

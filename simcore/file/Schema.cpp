@@ -29,10 +29,11 @@ struct Known {
 const Known& knownOf(Schema schema) {
   constexpr JsonLimits byHand{64, 64ull << 20}, byClock{64, 256ull << 20};
   static const Known all[kSchemaCount] = {{"joint.schema.json", schema_texts::kJoint, 2, byHand},
-                                          {"scenario.schema.json", schema_texts::kScenario, 1, byHand},
+                                          {"scenario.schema.json", schema_texts::kScenario, 2, byHand},
                                           {"recording.schema.json", schema_texts::kRecording, 1, byClock},
                                           {"run-report.schema.json", schema_texts::kRunReport, 1, byHand},
-                                          {"recipe.schema.json", schema_texts::kRecipe, 1, byHand}};
+                                          {"recipe.schema.json", schema_texts::kRecipe, 1, byHand},
+                                          {"run-state.schema.json", schema_texts::kRunState, 1, byClock}};
   return all[static_cast<int>(schema)];
 }
 

@@ -9,8 +9,8 @@
 namespace glenoid {
 
 /// The formats we define. Their JSON Schemas (draft 7) are in resources/schemas and inside the program.
-enum class Schema { Joint, Scenario, Recording, RunReport, Recipe };
-inline constexpr int kSchemaCount = 5;
+enum class Schema { Joint, Scenario, Recording, RunReport, Recipe, RunState };
+inline constexpr int kSchemaCount = 6;
 
 /// File name in resources/schemas and its text.
 const char* schemaFileName(Schema schema);

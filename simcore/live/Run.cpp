@@ -99,6 +99,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     gather.add(step, time);
     if (collision) collision->look(state.q, step.dents);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
+    if (options.observe) options.observe(step, state);
     if (s + 1 == *steps) {
       result.contacts = step.contactViews;
       result.dents = step.dents;

@@ -60,6 +60,8 @@ Result<Done> checkPart(const Joint& joint, const Part& part, const At& at) {
       return at.in("materials", i).in("material").fail(Fault::UnknownId, {use.material, "material"});
     if (!use.region.empty() && !findRegion(part, use.region))
       return at.in("materials", i).in("region").fail(Fault::UnknownId, {use.region, "region"});
+    if (use.thickness > 0 && (part.kind != PartKind::Rigid || use.region.empty()))
+      return at.in("materials", i).in("thickness").fail(Fault::Unusable, {"a layer needs a region of a rigid part"});
   }
   if (!part.materials[0].region.empty())
     return at.in("materials", 0)

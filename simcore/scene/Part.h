@@ -32,10 +32,12 @@ struct Region {
 };
 
 /// A material of a part; where `region` is empty it is the part's default. A tetrahedron takes the material
-/// whose region holds the visual triangle nearest to its centroid; the last such use wins.
+/// whose region holds the visual triangle nearest to its centroid; the last such use wins. A rigid part has the density
+/// of its default, but under a region with a thickness: there a layer of that depth has the region's (cartilage on bone).
 struct MaterialUse {
   std::string material;  ///< id of a Material
   std::string region;    ///< id of a Region of this part, or empty
+  double thickness = 0;  ///< m, rigid parts only, of a region: depth of the layer that weighs as this material; 0: none
   bool operator==(const MaterialUse&) const = default;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,24 +28,75 @@ struct Effects {
   bool operator==(const Effects&) const = default;
 };
 
+/// Directions of W along which, or about which, something acts.
+struct Axes {
+  bool x = true, y = true, z = true;
+  Vec3 mask() const { return {x ? 1.0 : 0.0, y ? 1.0 : 0.0, z ? 1.0 : 0.0}; }
+  bool any() const { return x || y || z; }
+  bool operator==(const Axes&) const = default;
+};
+
 /// Six-directional spring that holds a rigid part in its rest pose (the arm's pose). It acts at the part's
 /// material point that rests at the origin of W: the centre of the joint, so that a push on the head does not
-/// turn the bone about its far-away mass centre.
+/// turn the bone about its far-away mass centre. With no stiffness it holds the orientation alone. `axes` leaves it the
+/// chosen directions (a guide along one axis), `angularAxes` the chosen components of the turn's rotation vector, which
+/// are turns about these axes only while they are small.
 struct Hold {
   std::string part;                 ///< id of a rigid part that is not fixed
-  double stiffness = 2e4;           ///< N/m
-  double angularStiffness = 50;     ///< N·m/rad
+  double stiffness = 2e4;           ///< N/m, ≥ 0
+  double angularStiffness = 50;     ///< N·m/rad, ≥ 0; one of the two is above 0
   double damping = 1e-2;            ///< s, times stiffness
+  Axes axes, angularAxes;
   bool operator==(const Hold&) const = default;
 };
 
-/// Constant force and torque on a rigid part, such as the pull of muscles that are not modelled. It acts at the
-/// part's material point that rests at the origin of W, as a hold does.
+/// Constant force and torque in W, such as the pull of a muscle that is not modelled. The force acts at a material point
+/// given where it rests. Without a point: on a rigid part at the one that rests at the origin of W, as a hold does; on a
+/// soft part spread over it as its weight is. Only a rigid part takes a torque. A part may have many.
 struct Load {
-  std::string part;                 ///< id of a rigid part that is not fixed
+  std::string part;                 ///< id of a part that is not fixed
   Vec3 force_W = Vec3::Zero();      ///< N
   Vec3 torque_W = Vec3::Zero();     ///< N·m
+  std::optional<Vec3> point_W = std::nullopt;      ///< m, at rest; of a soft part inside its tetrahedra
   bool operator==(const Load&) const = default;
+};
+
+/// Pressure of a fluid on a region: −p ∫ n dA with the outward normals of the region as it lies now (it follows the
+/// part). Negative: suction.
+struct Pressure {
+  std::string part, region;         ///< ids; the part is not fixed
+  double pressure = 0;              ///< Pa
+  bool operator==(const Pressure&) const = default;
+};
+
+/// Springs spread evenly over a region, each from a material point to where that rests, along chosen axes of W alone: a
+/// roller or a plane of symmetry (one axis), a guide (two), a bed (three).
+struct Support {
+  std::string part, region;         ///< ids; the part is not fixed
+  Axes axes;
+  double stiffnessPerArea = 0;      ///< N/m per m², > 0
+  double damping = 1e-2;            ///< s, times stiffness
+  bool operator==(const Support&) const = default;
+};
+
+/// Where a part is wanted at a moment. Between keys the displacement goes linearly, the turn by slerp; before the first
+/// and after the last key the part rests there.
+struct MotionKey {
+  double time = 0;                  ///< s
+  Vec3 displacement_W = Vec3::Zero();  ///< m, of the motion's centre
+  Quat turn_W = Quat::Identity();   ///< unit, from rest
+  bool operator==(const MotionKey& other) const {
+    return time == other.time && displacement_W == other.displacement_W && turn_W.coeffs() == other.turn_W.coeffs();
+  }
+};
+
+/// Prescribed motion of a fixed part: what rests at x is at centre + displacement + turn (x − centre). Nothing pushes it
+/// back; what touches it or is coupled to it feels its velocity.
+struct Motion {
+  std::string part;                 ///< id of a fixed part
+  Vec3 centre_W = Vec3::Zero();     ///< m, at rest: the point about which it turns
+  std::vector<MotionKey> keys;      ///< ascending in time, at least one
+  bool operator==(const Motion&) const = default;
 };
 
 enum class ToolKind { Probe, Arthroscope, Finger, Ball, Bar };
@@ -90,6 +142,9 @@ struct Scenario {
   std::vector<std::string> fixedParts;  ///< ids; they join no island
   std::vector<Hold> holds;
   std::vector<Load> loads;
+  std::vector<Pressure> pressures;
+  std::vector<Support> supports;
+  std::vector<Motion> motions;       ///< one for each part at most
   std::vector<Tool> tools;
   Effects effects;
   std::vector<Camera> cameras;       ///< first: default
@@ -98,5 +153,11 @@ struct Scenario {
 };
 
 int findTool(const Scenario& scenario, const std::string& id);
+
+/// Pose that brings the part from rest to where it is at a time: x_W = pose · x at rest. Needs a key.
+Pose motionAt(const Motion& motion, double time);
+
+/// Takes out whatever acts on a part: holds, loads, pressures, supports, its motion; of a region only what names that.
+void dropActionsOn(Scenario& scenario, const std::string& part, const std::string& region = {});
 
 }  // namespace glenoid

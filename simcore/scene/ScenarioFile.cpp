@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Schema.h"
 #include "simcore/scene/ScenarioJson.h"
 
@@ -83,6 +84,20 @@ class ScenarioChain {
   std::vector<std::string> m_files;
 };
 
+/// The first save over a file of an older form keeps it for the program that wrote it.
+Result<Done> keepOlder(const std::string& path) {
+  const Result<JsonValue> before = readJson(path);
+  if (!before) return Done{};  // nothing there that an older program could read
+  const auto version = (*before)["schemaVersion"].integer();
+  if (version < 1 || version >= schemaVersion(Schema::Scenario)) return Done{};
+  const fs::path copy = fs::path(path).replace_extension(".v" + std::to_string(version) + ".json");
+  std::error_code ignored;
+  if (fs::exists(copy, ignored)) return Done{};
+  const auto bytes = readWholeFile(path);
+  if (!bytes) return bytes.error();
+  return writeWholeFile(copy.string(), *bytes);
+}
+
 }  // namespace
 
 Result<Scenario> loadScenario(const std::string& path) {
@@ -95,6 +110,7 @@ Result<Scenario> loadScenario(const std::string& path) {
 
 Result<Done> saveScenario(const Scenario& scenario, const std::string& path) {
   if (const auto good = checkScenario(scenario, path); !good) return good;
+  if (const auto kept = keepOlder(path); !kept) return kept;
   return writeJson(path, scene_json::fromScenario(scenario));
 }
 

@@ -16,14 +16,17 @@ namespace glenoid {
 Result<Scenario> loadScenario(const std::string& path);
 
 /// Writes one whole scenario; `extends` is not kept. Relative `joint` and `input` are written as they are. Atomic.
+/// The first save over a file of an older schema keeps that beside it, as NAME.scenario.v1.json for schema 1.
 /// Fails as checkScenario does without a joint and as writeJson does.
 Result<Done> saveScenario(const Scenario& scenario, const std::string& path);
 
-/// The scenario's own values: ids unique, ranges, one hold for each part, turns that are turns.
+/// The scenario's own values: ids unique, ranges, one hold and one motion for each part, turns that are turns, keys that
+/// ascend.
 Result<Done> checkScenario(const Scenario& scenario, const std::string& file);
 
-/// Its references into the joint: fixedParts, holds (rigid, not fixed), what tools perforate. Fails with UnknownId
-/// (arguments: id, kind) or BadReference (a hold on a soft or fixed part); the pointer and part are added to `place`.
+/// Its references into the joint: fixedParts, holds (rigid, not fixed), loads, pressures and supports (not fixed),
+/// motions (fixed), what tools perforate. Fails with UnknownId (arguments: id, kind) or BadReference (a hold on a soft or
+/// fixed part, …); the pointer and part are added to `place`.
 Result<Done> checkScenario(const Scenario& scenario, const Joint& joint, const Place& place);
 
 }  // namespace glenoid

@@ -10,12 +10,30 @@ namespace {
 
 using namespace scene_words;
 
+JsonValue fromAxes(const Axes& axes) {
+  JsonValue json = JsonValue::array();
+  for (const AxisWord& axis : kAxes)
+    if (axes.*axis.axis) json.append(axis.word);
+  return json;
+}
+
+Axes toAxes(const JsonValue& json) {
+  if (!json.isArray()) return {};
+  Axes axes{false, false, false};
+  for (const JsonValue& word : json.items())
+    for (const AxisWord& axis : kAxes)
+      if (word.text() == axis.word) axes.*axis.axis = true;
+  return axes;
+}
+
 JsonValue fromHold(const Hold& hold) {
   JsonValue json = JsonValue::object();
   json.set("part", hold.part);
   json.set("stiffness", hold.stiffness);
   json.set("angularStiffness", hold.angularStiffness);
   json.set("damping", hold.damping);
+  if (hold.axes != Axes{}) json.set("axes", fromAxes(hold.axes));
+  if (hold.angularAxes != Axes{}) json.set("angularAxes", fromAxes(hold.angularAxes));
   return json;
 }
 
@@ -25,6 +43,8 @@ Hold toHold(const JsonValue& json) {
   hold.stiffness = json["stiffness"].number(hold.stiffness);
   hold.angularStiffness = json["angularStiffness"].number(hold.angularStiffness);
   hold.damping = json["damping"].number(hold.damping);
+  hold.axes = toAxes(json["axes"]);
+  hold.angularAxes = toAxes(json["angularAxes"]);
   return hold;
 }
 
@@ -33,11 +53,66 @@ JsonValue fromLoad(const Load& load) {
   json.set("part", load.part);
   json.set("force", fromVec3(load.force_W));
   json.set("torque", fromVec3(load.torque_W));
+  if (load.point_W) json.set("point", fromVec3(*load.point_W));
   return json;
 }
 
 Load toLoad(const JsonValue& json) {
-  return {json["part"].text(), toVec3(json["force"], Vec3::Zero()), toVec3(json["torque"], Vec3::Zero())};
+  Load load{json["part"].text(), toVec3(json["force"], Vec3::Zero()), toVec3(json["torque"], Vec3::Zero()), {}};
+  if (json.find("point")) load.point_W = toVec3(json["point"], Vec3::Zero());
+  return load;
+}
+
+JsonValue fromPressure(const Pressure& pressure) {
+  JsonValue json = JsonValue::object();
+  json.set("part", pressure.part);
+  json.set("region", pressure.region);
+  json.set("pressure", pressure.pressure);
+  return json;
+}
+
+Pressure toPressure(const JsonValue& json) {
+  return {json["part"].text(), json["region"].text(), json["pressure"].number()};
+}
+
+JsonValue fromSupport(const Support& support) {
+  JsonValue json = JsonValue::object();
+  json.set("part", support.part);
+  json.set("region", support.region);
+  json.set("axes", fromAxes(support.axes));
+  json.set("stiffnessPerArea", support.stiffnessPerArea);
+  json.set("damping", support.damping);
+  return json;
+}
+
+Support toSupport(const JsonValue& json) {
+  Support support{json["part"].text(), json["region"].text(), toAxes(json["axes"]), json["stiffnessPerArea"].number()};
+  support.damping = json["damping"].number(support.damping);
+  return support;
+}
+
+JsonValue fromMotionKey(const MotionKey& key) {
+  JsonValue json = JsonValue::object();
+  json.set("time", key.time);
+  json.set("displacement", fromVec3(key.displacement_W));
+  json.set("rotation", fromPose({key.displacement_W, key.turn_W})["rotation"]);
+  return json;
+}
+
+MotionKey toMotionKey(const JsonValue& json) {
+  return {json["time"].number(), toVec3(json["displacement"], Vec3::Zero()), toPose(json).q_WB};
+}
+
+JsonValue fromMotion(const Motion& motion) {
+  JsonValue json = JsonValue::object();
+  json.set("part", motion.part);
+  json.set("centre", fromVec3(motion.centre_W));
+  json.set("keys", listOf(motion.keys, fromMotionKey));
+  return json;
+}
+
+Motion toMotion(const JsonValue& json) {
+  return {json["part"].text(), toVec3(json["centre"], Vec3::Zero()), vectorOf(json["keys"], toMotionKey)};
 }
 
 JsonValue fromTool(const Tool& tool) {
@@ -121,6 +196,9 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("fixedParts", fromTexts(scenario.fixedParts));
   json.set("holds", listOf(scenario.holds, fromHold));
   json.set("loads", listOf(scenario.loads, fromLoad));
+  if (!scenario.pressures.empty()) json.set("pressures", listOf(scenario.pressures, fromPressure));
+  if (!scenario.supports.empty()) json.set("supports", listOf(scenario.supports, fromSupport));
+  if (!scenario.motions.empty()) json.set("motions", listOf(scenario.motions, fromMotion));
   json.set("tools", listOf(scenario.tools, fromTool));
   JsonValue effects = JsonValue::object();
   for (const EffectWord& effect : kEffects)
@@ -146,6 +224,9 @@ Scenario toScenario(const JsonValue& json) {
   scenario.fixedParts = toTexts(json["fixedParts"]);
   scenario.holds = vectorOf(json["holds"], toHold);
   scenario.loads = vectorOf(json["loads"], toLoad);
+  scenario.pressures = vectorOf(json["pressures"], toPressure);
+  scenario.supports = vectorOf(json["supports"], toSupport);
+  scenario.motions = vectorOf(json["motions"], toMotion);
   scenario.tools = vectorOf(json["tools"], toTool);
   for (const EffectWord& effect : kEffects) {
     Wish& wish = scenario.effects.*effect.wish;

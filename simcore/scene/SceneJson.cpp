@@ -100,11 +100,12 @@ JsonValue fromMaterialUse(const MaterialUse& use) {
   JsonValue json = JsonValue::object();
   json.set("material", use.material);
   setText(json, "region", use.region);
+  if (use.thickness > 0) json.set("thickness", use.thickness);
   return json;
 }
 
 MaterialUse toMaterialUse(const JsonValue& json) {
-  return {json["material"].text(), json["region"].text()};
+  return {json["material"].text(), json["region"].text(), json["thickness"].number()};
 }
 
 JsonValue fromRegion(const Region& region) {

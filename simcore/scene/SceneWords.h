@@ -46,6 +46,13 @@ Enum valueOf(const Table& table, const std::string& word, Enum otherwise) {
   return otherwise;
 }
 
+/// Name and member of every axis.
+struct AxisWord {
+  const char* word;
+  bool Axes::*axis;
+};
+inline constexpr std::array<AxisWord, 3> kAxes{{{"x", &Axes::x}, {"y", &Axes::y}, {"z", &Axes::z}}};
+
 /// Name and member of every effect, in the order of the file.
 struct EffectWord {
   const char* word;

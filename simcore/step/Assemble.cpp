@@ -40,13 +40,17 @@ void assembleIslands(Stepper::Work& work, const State& state) {
       object.assemble(work.settings, state, model.entries[k], work.rotations, island.A,
                       island.b.segment(3 * model.base[k], 3 * object.blockCount()));
     }
-    for (const BoundSpring& spring : model.springs) assembleSpring(spring, dt, state.q, island.A, island.b);
-    for (const BoundLoad& load : model.loads) {
-      const auto& body = static_cast<const RigidObject&>(*work.inside->objects[load.object]);
-      const Vec3 lever_W = body.pose(state.q).q_WB * load.anchor_B;
-      island.b.segment<3>(3 * load.base) += dt * load.force_W;
-      island.b.segment<3>(3 * load.base + 3) += dt * (load.torque_W + lever_W.cross(load.force_W));
+    for (const BoundSpring& spring : model.springs) {
+      Vec3 drift = Vec3::Zero();
+      if (!work.inside->driven.empty())
+        drift = drivenVelocity(work, spring.objectA, spring.a->position(spring.pointA, state.q)) -
+                drivenVelocity(work, spring.objectB, spring.b->position(spring.pointB, state.q));
+      assembleSpring(spring, dt, state.q, island.A, island.b, drift);
     }
+    for (const BoundLoad& load : model.loads) assembleLoad(load, *work.inside->objects[load.object], dt, state.q, island.b);
+    for (const BoundPressure& pressure : model.pressures)
+      assemblePressure(pressure, *work.inside->objects[pressure.object], dt, state.q, work.pressureScratch, island.b);
+    for (const BoundSupport& support : model.supports) assembleSupport(support, dt, state.q, island.A, island.b);
     for (const BoundPoseSpring& bound : model.poseSprings) {
       const auto& body = static_cast<const RigidObject&>(*work.inside->objects[bound.object]);
       PoseTarget target = bound.rest;

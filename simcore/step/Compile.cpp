@@ -5,6 +5,7 @@
 #include "simcore/body/RigidObject.h"
 #include "simcore/coupling/Islands.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/step/CompileActions.h"
 #include "simcore/step/CompileObjects.h"
 #include "simcore/step/EffectPlan.h"
 
@@ -28,8 +29,7 @@ Result<Done> checkWishes(const Joint& joint, const Scenario& scenario) {
   };
   for (std::size_t i = 0; i < scenario.holds.size(); ++i)
     if (auto good = rigid(scenario.holds[i].part, "/holds/" + std::to_string(i), "hold-of-soft-part"); !good) return good;
-  for (std::size_t i = 0; i < scenario.loads.size(); ++i)
-    if (auto good = rigid(scenario.loads[i].part, "/loads/" + std::to_string(i), "load-of-soft-part"); !good) return good;
+  if (auto good = checkActions(joint, scenario); !good) return good;
   for (std::size_t i = 0; i < scenario.tools.size(); ++i) {
     const std::string& link = scenario.tools[i].link;
     const int carrier = link.empty() ? -1 : findTool(scenario, link);
@@ -62,7 +62,7 @@ BoundPoseSpring holdSpring(const Hold& hold, const RigidObject& body, int object
   BoundPoseSpring bound;
   bound.object = object;
   bound.spring = {-body.properties().centre, hold.stiffness, hold.angularStiffness, hold.damping * hold.stiffness,
-                  hold.damping * hold.angularStiffness, 1e300};
+                  hold.damping * hold.angularStiffness, 1e300, 1e300, hold.axes.mask(), hold.angularAxes.mask()};
   return bound;
 }
 
@@ -89,7 +89,8 @@ void appendToolLinks(const Model& model, const StepModel& inside, std::vector<Co
 }
 
 /// Groups objects, gives each its blocks, and runs the symbolic phase of every island.
-void compileIslands(const Model& model, StepModel& inside, const std::vector<CouplingSpring>& springs) {
+Result<Done> compileIslands(const Model& model, StepModel& inside, const std::vector<CouplingSpring>& springs,
+                            const std::vector<Vec3>& centres) {
   const int count = static_cast<int>(model.objects.size());
   std::vector<bool> isFree;
   for (const SceneObject& object : model.objects) isFree.push_back(object.layout.free);
@@ -114,6 +115,8 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
     BoundSpring bound;
     bound.a = inside.objects[spring.objectA].get();
     bound.b = inside.objects[spring.objectB].get();
+    bound.objectA = spring.objectA;
+    bound.objectB = spring.objectB;
     bound.pointA = pointAt(spring.a, model.objects[spring.objectA].layout.rigid);
     bound.pointB = pointAt(spring.b, model.objects[spring.objectB].layout.rigid);
     bound.baseA = inside.baseOfObject[spring.objectA];
@@ -137,13 +140,7 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
     const auto& body = static_cast<const RigidObject&>(*inside.objects[object]);
     inside.islands[inside.islandOfObject[object]].poseSprings.push_back(holdSpring(hold, body, object));
   }
-  for (const Load& load : model.scenario.loads) {
-    const int object = findPart(model.joint, load.part);
-    if (inside.islandOfObject[object] < 0) continue;
-    const auto& body = static_cast<const RigidObject&>(*inside.objects[object]);
-    inside.islands[inside.islandOfObject[object]].loads.push_back(
-        {object, inside.baseOfObject[object], -body.properties().centre, load.force_W, load.torque_W});
-  }
+  if (Result<Done> done = compileActions(model, inside, centres); !done) return done;
 
   for (CouplingIslandModel& island : inside.islands) {
     std::vector<std::array<int, 2>> pairs;
@@ -153,6 +150,7 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
       bound.base = inside.baseOfObject[bound.object];
       pairs.push_back({bound.base + 1, bound.base});
     }
+    for (const BoundSupport& support : island.supports) appendSupportPairs(support, q, pairs);
     island.symbolic = std::make_shared<BlockSymbolic>(island.blockCount, pairs);
     for (std::size_t i = 0; i < island.objects.size(); ++i)
       island.entries.push_back(inside.objects[island.objects[i]]->blockEntries(*island.symbolic, island.base[i]));
@@ -160,7 +158,9 @@ void compileIslands(const Model& model, StepModel& inside, const std::vector<Cou
     for (BoundPoseSpring& bound : island.poseSprings)
       bound.entries = {island.symbolic->entry(bound.base, bound.base), island.symbolic->entry(bound.base + 1, bound.base + 1),
                        island.symbolic->entry(bound.base + 1, bound.base)};
+    for (BoundSupport& support : island.supports) bindSupport(support, q, *island.symbolic);
   }
+  return Done{};
 }
 
 EffectGrounds groundsOf(const Model& model) {
@@ -187,6 +187,7 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   model->jointHash = jointHash(joint);
   std::vector<Vec3> centres;
   if (Result<Done> done = compileObjects(*model, *inside, centres); !done) return done.error();
+  compileMotions(*model, *inside);
   if (scenario.effects.contact != Wish::Off) compileContacts(*model);
   EffectGrounds grounds = groundsOf(*model);
   grounds.friction = scenario.effects.friction != Wish::Off && compileFriction(*model);
@@ -216,13 +217,13 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
       if (!derived) return derived.error();
       for (CouplingSpring& spring : *derived) {
         if (!inside->settings.damping) spring.damping = 0;
-        model->springs.push_back({spring.coupling, spring.objectA, spring.objectB, spring.a, spring.b, spring.stiffness});
+        model->springs.push_back({spring.coupling, spring.objectA, spring.objectB, spring.a, spring.b, spring.stiffness, spring.damping});
         springs.push_back(std::move(spring));
       }
     }
   }
   appendToolLinks(*model, *inside, springs);
-  compileIslands(*model, *inside, springs);
+  if (Result<Done> done = compileIslands(*model, *inside, springs, centres); !done) return done.error();
   for (CouplingIslandModel& island : inside->islands)
     for (BoundPoseSpring& bound : island.poseSprings)
       if (bound.tool < 0) {

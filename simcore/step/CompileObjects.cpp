@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simcore/body/PartMass.h"
 #include "simcore/body/RigidObject.h"
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Bind.h"
@@ -74,7 +75,7 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
 
     Vec3 centre = Vec3::Zero();
     if (object.layout.rigid) {
-      Result<MassProperties> properties = massPropertiesOf(*part.visual, joint.materials[material].density);
+      Result<MassProperties> properties = massPropertiesOf(joint, part);
       if (!properties) return about(properties.error(), part.id);
       centre = properties->centre;
       object.mass = properties->mass;

@@ -17,12 +17,13 @@ constexpr double kFeelable = 1e-9;
 /// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step.
 constexpr int kRowsInImpulses = 500;
 
-/// w_n = J v + C λ − c of every contact of an island, from the velocities and impulses as they stand.
+/// w_n = J v + n·drift + C λ − c of every contact of an island, from the velocities and impulses as they stand.
 void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
   for (const int c : island.contacts) {
     StepContact& contact = work.contacts[c];
-    contact.speed = (contact.chosen ? contact.compliance * contact.impulse : 0.0) - contact.target;
-    if (contact.dent >= 0) contact.speed = dentSpeed(work, contact) - contact.target;
+    const double required = contact.target - contact.near->normal_W.dot(contact.drift_W);
+    contact.speed = (contact.chosen ? contact.compliance * contact.impulse : 0.0) - required;
+    if (contact.dent >= 0) contact.speed = dentSpeed(work, contact) - required;
   }
   for (const int index : island.couplingIslands) {
     const IslandWork& part = work.islands[index];
@@ -193,10 +194,10 @@ int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& isl
   for (std::size_t k = 0; k < work.unknowns.size(); ++k) {
     const StepContact& contact = work.contacts[work.unknownContacts[k]];
     const int row = work.unknowns[k].row;
-    work.d[row] = -contact.target;
+    work.d[row] = contact.near->normal_W.dot(contact.drift_W) - contact.target;
     work.lambda[row] = contact.impulse;
     for (int t = 0; t + 1 < work.unknowns[k].rows(); ++t) {
-      work.d[row + 1 + t] = 0;
+      work.d[row + 1 + t] = contact.drift_W.dot(contact.tangent_W[t]);
       work.lambda[row + 1 + t] = contact.friction_W.dot(contact.tangent_W[t]);
     }
   }

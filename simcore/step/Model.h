@@ -27,6 +27,7 @@ struct SceneObject {
   SurfaceBinding visual, collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft only; node i of the state is node i of this mesh
   double mass = 0;              ///< kg
+  int motion = -1;              ///< in scenario.motions: a fixed part that moves; −1: none
   std::vector<double> friction; ///< Coulomb's coefficient at each collision vertex; empty: friction is off
 };
 
@@ -36,6 +37,7 @@ struct SpringView {
   int objectA, objectB;
   VertexBinding a, b;           ///< both ends as points of their objects
   double stiffness;             ///< N/m
+  double damping = 0;           ///< N·s/m
 };
 
 /// What became of one wish, and why; `reason` is a word for tr(), not a sentence.

@@ -94,7 +94,7 @@ void solveContactIslandBySplitting(Stepper::Work& work, const State& state, cons
     part.splitting->response->addDelassus(part.chosenIds, B);
   }
   addCompliance(work);
-  const VecX& target = work.target = work.d.head(n);  // −c, zero along tangents
+  const VecX& target = work.target = work.d.head(n);  // n·drift − c, along tangents t·drift
 
   PaperReport& paper = work.report.paper;
   double firstChange = 0, change = 0;

@@ -53,6 +53,11 @@ std::vector<double> turnStiffnessOf(const StepModel& inside) {
         if (spring.a == mine) stiffness[object] += spring.stiffness * spring.pointA.r_B.squaredNorm();
         if (spring.b == mine) stiffness[object] += spring.stiffness * spring.pointB.r_B.squaredNorm();
       }
+  for (const CouplingIslandModel& island : inside.islands)
+    for (const BoundSupport& support : island.supports)
+      for (std::size_t object = 0; object < inside.objects.size(); ++object)
+        if (inside.objects[object].get() == support.object && support.object->layout().rigid)
+          stiffness[object] += support.stiffness.maxCoeff() * support.point.r_B.squaredNorm();
   return stiffness;
 }
 

@@ -19,10 +19,37 @@ struct BoundPoseSpring {
   std::array<BlockEntry, 3> entries;
 };
 
-/// A constant force and torque on a rigid body.
+/// A constant force on an object, at a material point or spread over the whole as its weight is; on a rigid one also a torque.
 struct BoundLoad {
   int object = 0, base = 0;
-  Vec3 anchor_B = Vec3::Zero(), force_W = Vec3::Zero(), torque_W = Vec3::Zero();
+  bool spread = false;
+  MaterialPoint point;
+  Vec3 force_W = Vec3::Zero(), torque_W = Vec3::Zero();
+};
+
+/// A pressure on a region, taken at the start of a step: −p ∫ n dA over the flat triangles, a third of each at each corner.
+struct BoundPressure {
+  int object = 0, base = 0, pressure = 0;     ///< pressure: in scenario.pressures
+  double value = 0;                           ///< Pa
+  std::vector<MaterialPoint> points;
+  std::vector<std::array<int, 3>> triangles;  ///< of points
+};
+
+/// One spring of a support, from a material point to where that rests.
+struct BoundSupport {
+  const ContactObject* object = nullptr;
+  int base = 0, support = 0;         ///< support: in scenario.supports
+  MaterialPoint point;
+  Vec3 rest_W = Vec3::Zero();        ///< m
+  Vec3 stiffness = Vec3::Zero();     ///< along the axes of W, N/m
+  Vec3 damping = Vec3::Zero();       ///< N·s/m
+  std::vector<BlockEntry> entries;   ///< lower triangle over the point's terms, row by row
+};
+
+/// A fixed object whose motion is prescribed.
+struct DrivenObject {
+  int object = 0, motion = 0;        ///< motion: in scenario.motions
+  std::vector<Vec3> rest_W;          ///< m: mass centre of a rigid one, start nodes of a soft one
 };
 
 /// A coupling island compiled: which objects, where their blocks start, pattern and forces.
@@ -33,6 +60,8 @@ struct CouplingIslandModel {
   std::vector<BoundSpring> springs;              ///< an end may be fixed
   std::vector<BoundPoseSpring> poseSprings;
   std::vector<BoundLoad> loads;
+  std::vector<BoundPressure> pressures;
+  std::vector<BoundSupport> supports;
   std::shared_ptr<const BlockSymbolic> symbolic;
   int blockCount = 0;
 };
@@ -67,6 +96,8 @@ struct StepModel {
   StepSettings settings;
   std::vector<FilmModel> films;      ///< empty where the effect is off
   std::vector<DentModel> dents;      ///< one for each object; empty where the effect is off
+  std::vector<DrivenObject> driven;
+  std::vector<int> drivenOfObject;   ///< in `driven`; −1: not driven
   bool contact = false, friction = false;
 };
 

@@ -14,6 +14,7 @@
 #include "simcore/contact/Lcp.h"
 #include "simcore/contact/VelocitySystem.h"
 #include "simcore/linear/ConjugateGradients.h"
+#include "simcore/step/Actions.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/step/Stepper.h"
 
@@ -65,10 +66,11 @@ struct StepContact {
   bool film = false;                     ///< of a bursa
   MaterialPoint a, b;
   double target = 0;                     ///< c of J v ≥ c, m/s
+  Vec3 drift_W = Vec3::Zero();           ///< what prescribed motions add to the velocity of a against b, m/s
   double compliance = 0;                 ///< C of J v + C λ ≥ c, 1/kg; above zero for a film or a dent
   int dent = -1;                         ///< its place in Work::dents; −1: the surface is as hard as its tetrahedra
   bool bed = false;                      ///< the bottom of a dent, beside the contact that makes it
-  double speed = 0;                      ///< J v + C λ − c, m/s
+  double speed = 0;                      ///< J v + n·drift + C λ − c, m/s
   double coefficient = 0;                ///< Coulomb's; 0 where friction is off
   std::array<Vec3, 2> tangent_W;         ///< set where friction is on
   double impulse = 0;                    ///< along the normal, N·s: last step's, then this one's
@@ -114,6 +116,9 @@ struct Stepper::Work {
   std::vector<Pose> hands;            ///< at the end of the part of it that is being solved
   std::vector<double> turnStiffness;  ///< of each rigid object with couplings: Σ k r², N·m
   VecX rotations;
+  double partBegin = 0;                   ///< when the part of the step that is being solved begins, s
+  std::vector<Twist> drivenTwists;        ///< of inside->driven, in that part
+  std::vector<Vec3> pressureScratch;      ///< two entries for each point of the largest pressure
 
   // Collision, filled by its own thread where there are two. Motion 0 is what the step begins with, each further
   // one what a solve answered that the search had not foreseen.
@@ -168,6 +173,14 @@ std::vector<double> turnStiffnessOf(const StepModel& inside);
 void takeHands(Stepper::Work& work, const Inputs& inputs, const State& state);
 /// work.hands for one of the remaining equal parts of the step: on the way from the state's hands to the wanted ones.
 void moveHands(Stepper::Work& work, const State& state, int partsLeft);
+/// How driven objects move in the part of the step that begins.
+void foreseeDriven(Stepper::Work& work);
+/// Velocity of a place of an object by its motion; zero for one that is not driven.
+Vec3 drivenVelocity(const Stepper::Work& work, int object, const Vec3& p_W);
+/// Velocities of the surfaces of driven objects into one motion of the search; after positions.
+void drivenSurfaces(Stepper::Work& work, int motion);
+/// What motions add at every contact; after all contacts are built.
+void driftContacts(Stepper::Work& work);
 /// Forces, A and b of each coupling island.
 void assembleIslands(Stepper::Work& work, const State& state);
 /// One solve for each coupling island; false where one has no finite answer.

@@ -62,6 +62,10 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.report.toolForces.resize(work.model->scenario.tools.size());
   work.wanted.resize(work.model->scenario.tools.size());
   work.hands.resize(work.model->scenario.tools.size());
+  work.drivenTwists.resize(work.inside->driven.size());
+  for (const CouplingIslandModel& island : work.inside->islands)
+    for (const BoundPressure& pressure : island.pressures)
+      if (2 * pressure.points.size() > work.pressureScratch.size()) work.pressureScratch.resize(2 * pressure.points.size());
   work.turnStiffness = turnStiffnessOf(*work.inside);
   work.solved.setZero(work.model->start.v.size());
   work.velocitySystems.resize(work.islands.size());
@@ -108,6 +112,7 @@ void Stepper::Work::findProximities(const State& state) {
       surfacePositions(object.collision, object.layout, state.q, positions[i]);
       if (object.layout.free) surfaceVelocities(object.collision, object.layout, state.q, state.v, velocities[0][i]);
     }
+    drivenSurfaces(*this, 0);
   }
   motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
@@ -140,6 +145,7 @@ bool Stepper::Work::searchAgain(const State& state) {
       }
       outran = outran || !foreseen;
     }
+    drivenSurfaces(*this, motionCount);
   }
   if (!outran) return false;
   ++motionCount;
@@ -164,6 +170,8 @@ void integrate(Stepper::Work& work, State& state) {
   const StageClock clock(work.report, Stage::Integrate);
   state.v = work.solved;
   for (const auto& object : work.inside->objects) object->advance(work.settings.dt, state);
+  work.partBegin += work.settings.dt;
+  placeDriven(*work.model, *work.inside, work.partBegin, state.q);
   state.rotations = work.rotations;
   state.impulses.clear();
   if (work.inside->contact)
@@ -184,6 +192,7 @@ void solveContacts(Stepper::Work& work, const State& state) {
   buildContacts(work, state);
   buildDents(work, state);
   buildFilmContacts(work, state);
+  driftContacts(work);
   solveConstrained(work, state);
 }
 
@@ -196,6 +205,7 @@ void rejectStep(State& state) {
 /// Velocities at the end of a step of work.settings.dt into work.solved; false where there is no finite answer.
 bool solveStep(Stepper::Work& work, const State& state) {
   work.rotations = state.rotations;
+  foreseeDriven(work);
   if (work.inside->contact && work.worker) {
     work.stateSeen = &state;
     work.worker->start();  // finding what is near needs positions only, so it runs beside the free solve
@@ -246,6 +256,8 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
 
   takeHands(work, inputs, state);
   moveHands(work, state, 1);
+  work.partBegin = state.time;
+  placeDriven(*work.model, *work.inside, work.partBegin, state.q);
   const double dt = work.settings.dt;
   bool good = solveStep(work, state);
   if (good) report.parts = partsOf(work, state);

@@ -10,7 +10,7 @@ Vec6 springWrench(const PoseSpring& spring, const RigidObject& body, const PoseT
   const Vec3 force = spring.stiffness * (target.anchor_W - pose * spring.anchor_B);
   const Vec3 theta = rotationVector(target.q_WB * pose.q_WB.conjugate());
   Vec6 wrench;
-  wrench << force, spring.angularStiffness * theta;
+  wrench << spring.axes.cwiseProduct(force), spring.angularAxes.cwiseProduct(spring.angularStiffness * theta);
   return wrench;
 }
 
@@ -34,8 +34,8 @@ PoseTarget handTarget(const Pose& hand, const Pose& last, double dt) {
 
 Vec6 driveWrench(const PoseSpring& spring, const RigidObject& body, const PoseTarget& target, const VecX& q) {
   Vec6 wrench = springWrench(spring, body, target, q);
-  wrench.head<3>() += spring.damping * target.velocity_W;
-  wrench.tail<3>() += spring.angularDamping * target.omega_W;
+  wrench.head<3>() += spring.axes.cwiseProduct(spring.damping * target.velocity_W);
+  wrench.tail<3>() += spring.angularAxes.cwiseProduct(spring.angularDamping * target.omega_W);
   const double pull = wrench.head<3>().norm(), turn = wrench.tail<3>().norm();
   if (pull > spring.forceMax) wrench.head<3>() *= spring.forceMax / pull;
   if (turn > spring.torqueMax) wrench.tail<3>() *= spring.torqueMax / turn;
@@ -49,10 +49,11 @@ void assemblePoseSpring(const PoseSpring& spring, const RigidObject& body, const
   const Mat3 cross = skew(lever);
   const double k = dt * dt * spring.stiffness + dt * spring.damping;
   const double kAngular = dt * dt * spring.angularStiffness + dt * spring.angularDamping;
-  // ṗ = v − [lever] ω, so Jᵀ k J has the blocks k, k [lever] (1,0) and −k [lever]².
-  A.add(entries[0], k * Mat3::Identity());
-  A.add(entries[1], kAngular * Mat3::Identity() - k * cross * cross);
-  A.add(entries[2], k * cross);
+  // ṗ = v − [lever] ω, so Jᵀ K J with K = k diag(axes) has the blocks K, [lever] K (1,0) and −[lever] K [lever].
+  const Mat3 turned = k * cross * spring.axes.asDiagonal();
+  A.add(entries[0], (k * spring.axes).asDiagonal().toDenseMatrix());
+  A.add(entries[1], (kAngular * spring.angularAxes).asDiagonal().toDenseMatrix() - turned * cross);
+  A.add(entries[2], turned);
   const Vec6 wrench = driveWrench(spring, body, target, state.q);
   const Vec3 force = wrench.head<3>();
   b.segment<3>(0) += dt * force;

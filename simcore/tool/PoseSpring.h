@@ -19,6 +19,8 @@ struct PoseSpring {
   double angularDamping = 0;           ///< N·m·s/rad
   double forceMax = 1e300;             ///< N
   double torqueMax = 1e300;            ///< N·m
+  Vec3 axes = Vec3::Ones();            ///< 1 along the axes of W that it holds, 0 along those it leaves free
+  Vec3 angularAxes = Vec3::Ones();     ///< the same for the components of θ
 };
 
 /// Where the anchor is wanted and how fast that moves.

@@ -137,7 +137,7 @@ std::string folderOf(const std::string& path) {
 const std::vector<std::string>& simcoreOrder() {
   static const std::vector<std::string> order = {"base", "linear", "mesh", "spatial", "file", "import", "repair", "embed",
                                                  "scene", "fem", "body", "tool", "coupling", "collide", "contact", "step",
-                                                 "author", "check", "export", "haptic", "live", "train", "study"};
+                                                 "author", "check", "export", "reading", "haptic", "live", "train", "study"};
   return order;
 }
 

@@ -8,7 +8,7 @@ namespace glenoid {
 namespace {
 
 constexpr Schema kAll[] = {Schema::Joint, Schema::Scenario, Schema::Recording, Schema::RunReport,
-                           Schema::Recipe};
+                           Schema::Recipe, Schema::RunState};
 
 constexpr const char* kSmall = R"({
   "type": "object", "required": ["size"], "additionalProperties": false,

@@ -23,8 +23,13 @@ Scenario sample() {
   scenario.profile = Profile::Reference;
   scenario.contactDistance = 0.002;
   scenario.recoverySpeedMax = 0.2;
-  scenario.holds = {{"humerus", 1e4, 40, 0.02}};
-  scenario.loads = {{"humerus", Vec3(1, -20, 3), Vec3(0.1, 0, -0.2)}};
+  scenario.holds = {{"humerus", 0, 40, 0.02, {true, false, true}, {false, true, true}}};
+  scenario.loads = {{"humerus", Vec3(1, -20, 3), Vec3(0.1, 0, -0.2)}, {"humerus", Vec3(0, 1, 0), Vec3::Zero(), Vec3(0.1, 0, 1.0 / 3.0)}};
+  scenario.pressures = {{"cuff", "footprint", 1234.5}};
+  scenario.supports = {{"cuff", "footprint", {false, true, false}, 3e7, 0.03}};
+  scenario.motions = {{"humerus",
+                       {0.1, 0, 0.2},
+                       {{0.5, {0, 0.1, 0}, Quat::Identity()}, {1.5, {0, 0.2, 0}, Quat(Eigen::AngleAxisd(0.4, Vec3(3, 1, 2).normalized()))}}}};
   Tool probe;
   probe.id = "probe";
   probe.name = "Probe";
@@ -70,6 +75,9 @@ void expectSame(const Scenario& a, const Scenario& b) {
   EXPECT_EQ(a.fixedParts, b.fixedParts);
   EXPECT_EQ(a.holds, b.holds);
   EXPECT_EQ(a.loads, b.loads);
+  EXPECT_EQ(a.pressures, b.pressures);
+  EXPECT_EQ(a.supports, b.supports);
+  EXPECT_EQ(a.motions, b.motions);
   EXPECT_EQ(a.effects, b.effects);
   EXPECT_EQ(a.input, b.input);
   EXPECT_EQ(a.seed, b.seed);
@@ -126,6 +134,47 @@ TEST(ScenarioFile, whatIsNotSaidKeepsItsDefault) {
   expected.name = "A";
   expected.joint = "x.joint";
   expectSame(*loaded, expected);
+}
+
+TEST(ScenarioFile, theFirstSaveOverAnOlderSchemaKeepsIt) {
+  const TemporaryFolder folder;
+  const std::string older = kMinimal + R"(, "holds": [{"part": "p"}], "loads": [{"part": "p", "force": [0, -1, 0]}]})";
+  const std::string path = folder.put("a.scenario.json", older);
+  auto loaded = loadScenario(path);
+  ASSERT_TRUE(loaded.ok()) << toLogLine(loaded.error());
+  EXPECT_EQ(loaded->holds, (std::vector<Hold>{Hold{"p"}}));
+  EXPECT_EQ(loaded->loads, (std::vector<Load>{Load{"p", Vec3(0, -1, 0)}}));  // at the origin, as ever
+  ASSERT_TRUE(saveScenario(*loaded, path).ok());
+  EXPECT_NE(folder.get("a.scenario.json").find("\"schemaVersion\": 2"), std::string::npos);
+  EXPECT_EQ(folder.get("a.scenario.v1.json"), older);
+  expectSame(*loadScenario(path), *loaded);
+  loaded->dt = 0.001;
+  ASSERT_TRUE(saveScenario(*loaded, path).ok());
+  EXPECT_EQ(folder.get("a.scenario.v1.json"), older) << "only the first save does";
+}
+
+TEST(ScenarioFile, actionsThatMakeNoSenseAreRefusedWithTheirPlace) {
+  const TemporaryFolder folder;
+  struct Slip {
+    const char* members;
+    Fault fault;
+    const char* pointer;
+  };
+  for (const Slip& slip : {Slip{R"("holds": [{"part": "p", "stiffness": 0, "angularStiffness": 0}])", Fault::Unusable, "/holds/0"},
+                           Slip{R"("holds": [{"part": "p", "axes": []}])", Fault::SchemaMismatch, "/holds/0/axes"},
+                           Slip{R"("holds": [{"part": "p", "axes": ["w"]}])", Fault::SchemaMismatch, "/holds/0/axes/0"},
+                           Slip{R"("supports": [{"part": "p", "region": "r", "stiffnessPerArea": 0}])", Fault::OutOfRange, "/supports/0/stiffnessPerArea"},
+                           Slip{R"("pressures": [{"part": "p", "pressure": 1}])", Fault::SchemaMismatch, "/pressures/0"},
+                           Slip{R"("motions": [{"part": "p", "keys": []}])", Fault::SchemaMismatch, "/motions/0/keys"},
+                           Slip{R"("motions": [{"part": "p", "keys": [{"time": 1}, {"time": 1}]}])", Fault::Unusable, "/motions/0/keys/1"},
+                           Slip{R"("motions": [{"part": "p", "keys": [{"time": 1, "rotation": [0, 0, 0, 2]}]}])", Fault::OutOfRange,
+                                "/motions/0/keys/0/rotation"},
+                           Slip{R"("motions": [{"part": "p", "keys": [{"time": 1}]}, {"part": "p", "keys": [{"time": 1}]}])", Fault::DuplicateId,
+                                "/motions/1/part"}}) {
+    const Error error = faultOf(folder.put("a.scenario.json", kMinimal + ", " + slip.members + "}"));
+    EXPECT_EQ(error.fault, slip.fault) << slip.members << toLogLine(error);
+    EXPECT_EQ(error.place.pointer, slip.pointer) << slip.members;
+  }
 }
 
 TEST(ScenarioFile, aScenarioStandsOnAnother) {
