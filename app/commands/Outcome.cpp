@@ -33,9 +33,9 @@ std::string summaryOf(const RunReport& r) {
   out += text("step:        %.3f ms median, %.3f ms at the 99th percentile (CPU); %.0f steps/s, %.1f times real time "
               "(%.1f by CPU time)\n",
               r.step.median, r.step.p99, r.stepsPerSecond, r.stepsPerSecond * r.dt, r.stepsPerCpuSecond * r.dt);
-  out += "contacts:    " + (r.contacts.rest ? text("%.1f at rest, ", *r.contacts.rest) : std::string()) +
-         text("%.1f mean, %d max; active %.1f mean, %d max; %d contact islands max\n", r.contacts.mean, r.contacts.max,
-              r.contacts.activeMean, r.contacts.activeMax, r.contactIslandsMax);
+  out += "contacts:    " + (r.contacts.rest ? text("%.1f at rest (%.1f press), ", *r.contacts.rest, *r.contacts.pressingRest) : std::string()) +
+         text("%.1f mean (%.1f), %d max (%d); %d contact islands max\n", r.contacts.mean, r.contacts.pressingMean, r.contacts.max,
+              r.contacts.pressingMax, r.contactIslandsMax);
   out += text("penetration: %.3f mm", r.penetrationMax * 1e3) +
          (r.penetrationPair.empty() ? std::string() : " (" + r.penetrationPair + ")") +
          (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) +

@@ -62,7 +62,7 @@ void StatusFigures::refresh() {
       tr("How fast the simulation runs against the clock; below 100 % it is too slow for this computer"),
       tr("Simulation steps in one second"),
       tr("Time that one step takes, mean of the last half second"),
-      tr("Contacts of the last step, of which %1 press").arg(s.report.active),
+      tr("Contacts of the last step, of which %1 press").arg(s.report.pressing),
       tr("Groups of parts that touch each other"),
       tr("Pictures drawn in the last second; none are drawn while nothing changes"),
   };

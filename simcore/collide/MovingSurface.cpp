@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "simcore/base/PlainMath.h"
+#include "simcore/base/PlainMath.h"
 #include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {

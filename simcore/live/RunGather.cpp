@@ -94,9 +94,9 @@ void RunGather::add(const StepReport& step, double time) {
   if (step.parts > 1) ++m_cut;
   m_refusedHands += step.refusedHands;
   m_contacts += step.contacts;
-  m_active += step.active;
+  m_pressing += step.pressing;
   m_contactMax = std::max(m_contactMax, step.contacts);
-  m_activeMax = std::max(m_activeMax, step.active);
+  m_pressingMax = std::max(m_pressingMax, step.pressing);
   m_droppedMax = std::max(m_droppedMax, step.droppedRows);
   m_islandsMax = std::max(m_islandsMax, step.contactIslands);
   m_pivotsExhausted += step.pivotsExhausted;
@@ -111,6 +111,7 @@ void RunGather::add(const StepReport& step, double time) {
   // Half a step of slack: times are sums of steps and carry their round-off.
   if (time > m_rest.begin - m_dt / 2 && time < m_rest.end - m_dt / 2) {
     m_restContacts += step.contacts;
+    m_restPressing += step.pressing;
     ++m_restSteps;
   }
   m_step.push_back(static_cast<float>(step.stepCpuMs));
@@ -168,9 +169,11 @@ void RunGather::finish(RunReport& report) {
   report.residual = m_residual;
   report.complementarity = m_complementarity;
   report.contactIslandsMax = m_islandsMax;
-  report.contacts = {std::nullopt, "", m_contacts / n, m_active / n, m_contactMax, m_activeMax, m_droppedMax};
-  if (m_restSteps > 0) report.contacts.rest = m_restContacts / static_cast<double>(m_restSteps);
-  else report.contacts.restReason = "no-rest-after-one-second-of-settling";
+  report.contacts = {std::nullopt, std::nullopt, "", m_contacts / n, m_pressing / n, m_contactMax, m_pressingMax, m_droppedMax};
+  if (m_restSteps > 0) {
+    report.contacts.rest = m_restContacts / static_cast<double>(m_restSteps);
+    report.contacts.pressingRest = m_restPressing / static_cast<double>(m_restSteps);
+  } else report.contacts.restReason = "no-rest-after-one-second-of-settling";
   report.stepsPerSecond = m_wallMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_wallMs : 0;
   report.stepsPerCpuSecond = m_cpuMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_cpuMs : 0;
 

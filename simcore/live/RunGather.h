@@ -42,8 +42,8 @@ class RunGather {
   double m_dt;
   ContactSolverSummary m_contactSolver;
   long m_steps = 0, m_rejected = 0, m_cut = 0, m_refusedHands = 0, m_pivotsExhausted = 0, m_restSteps = 0, m_outerSteps = 0;
-  double m_restContacts = 0, m_contacts = 0, m_active = 0, m_residual = 0, m_complementarity = 0, m_outer = 0, m_wallMs = 0, m_cpuMs = 0;
-  int m_contactMax = 0, m_activeMax = 0, m_droppedMax = 0, m_islandsMax = 0;
+  double m_restContacts = 0, m_restPressing = 0, m_contacts = 0, m_pressing = 0, m_residual = 0, m_complementarity = 0, m_outer = 0, m_wallMs = 0, m_cpuMs = 0;
+  int m_contactMax = 0, m_pressingMax = 0, m_droppedMax = 0, m_islandsMax = 0;
   std::vector<float> m_step, m_wall;
   std::array<std::vector<float>, kStageCount> m_stages;
   std::vector<Mark> m_marks;

@@ -38,8 +38,8 @@ Json toJson(const PartReport& part) {
 }
 
 Json toJson(const ContactCounts& c) {
-  Json json = object({{"rest", orNull(c.rest)}, {"mean", c.mean}, {"max", c.max}, {"activeMean", c.activeMean},
-                      {"activeMax", c.activeMax}, {"droppedMax", c.droppedMax}});
+  Json json = object({{"rest", orNull(c.rest)}, {"mean", c.mean}, {"max", c.max}, {"pressingRest", orNull(c.pressingRest)},
+                      {"pressingMean", c.pressingMean}, {"pressingMax", c.pressingMax}, {"droppedMax", c.droppedMax}});
   if (!c.rest) json.set("restReason", c.restReason);
   return json;
 }

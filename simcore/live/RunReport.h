@@ -51,12 +51,12 @@ struct MarkReport {
   double forceMax = 0;        ///< N
 };
 
-/// Contacts over the steps; words as in the README of this folder.
+/// Rows over the steps, and those of them that press (StepReport); words as in the README of this folder.
 struct ContactCounts {
-  std::optional<double> rest;  ///< mean at rest; nothing when the run has no such window
-  std::string restReason;      ///< why not
-  double mean = 0, activeMean = 0;
-  int max = 0, activeMax = 0;
+  std::optional<double> rest, pressingRest;  ///< means at rest; nothing when the run has no such window
+  std::string restReason;                    ///< why not
+  double mean = 0, pressingMean = 0;
+  int max = 0, pressingMax = 0;
   int droppedMax = 0;          ///< rows that nothing can move
 };
 

@@ -259,6 +259,25 @@ void takeImpulses(Stepper::Work& work) {
   }
 }
 
+namespace {
+
+/// Below these a row has no part in carrying anything: N, and share of the largest force in its island.
+constexpr double kPressingForce = 1e-3, kPressingShare = 1e-3;
+
+int countPressing(const Stepper::Work& work, const ContactIsland& island) {
+  const double dt = work.settings.dt;
+  const auto counts = [&](const StepContact& contact) { return !contact.film && !contact.bed; };
+  double most = 0;
+  for (const int c : island.contacts)
+    if (counts(work.contacts[c])) most = std::max(most, work.contacts[c].impulse / dt);
+  const double least = std::max(kPressingForce, kPressingShare * most);
+  int pressing = 0;
+  for (const int c : island.contacts) pressing += counts(work.contacts[c]) && work.contacts[c].impulse / dt >= least;
+  return pressing;
+}
+
+}  // namespace
+
 void solveConstrained(Stepper::Work& work, const State& state) {
   StepReport& report = work.report;
   const std::span<const ContactIsland> islands = work.islandBuilder->build(work.sides);
@@ -274,6 +293,7 @@ void solveConstrained(Stepper::Work& work, const State& state) {
       solveContactIsland(work, state, island);
   }
   const StageClock clock(report, Stage::Contact);
+  for (const ContactIsland& island : islands) report.pressing += countPressing(work, island);
   report.residual = momentumResidual(work.islands);
   if (work.options.profile == Profile::Paper) report.paper.outerResidual = report.residual;
   showContacts(work);

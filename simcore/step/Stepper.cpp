@@ -184,7 +184,7 @@ void integrate(Stepper::Work& work, State& state) {
 /// Contacts as the detector has them now, and their solve.
 void solveContacts(Stepper::Work& work, const State& state) {
   StepReport& report = work.report;
-  report.active = report.droppedRows = report.pivotsExhausted = 0;
+  report.active = report.pressing = report.droppedRows = report.pivotsExhausted = 0;
   report.complementarity = 0;
   report.contactSolver = {};
   report.contactViews.clear();
@@ -244,7 +244,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   const double cpuBegin = StageClock::nowMs();
   report.taken = true;
   report.parts = 1;
-  report.refusedHands = report.contacts = report.active = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
+  report.refusedHands = report.contacts = report.active = report.pressing = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
   report.contactSolver = {};
   report.cpuMs.fill(0);

@@ -67,7 +67,9 @@ struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
   int parts = 1;                  ///< into which it was cut, for what turns too far in one; contacts are the last part's
   int refusedHands = 0;           ///< inputs that were no pose of a hand (NaN, 1e30): the last pose stood for them
-  int contacts = 0, active = 0;   ///< those of a bursa's film are not counted here
+  int contacts = 0, active = 0;   ///< rows, and those with any force; those of a bursa's film are not counted here
+  /// Rows whose force is at least 1 mN and a thousandth of the largest in their contact island: what carries something.
+  int pressing = 0;
   int filmContacts = 0;           ///< vertices that feel a bursa
   int contactIslands = 0;         ///< with at least one contact
   int droppedRows = 0;            ///< contacts that nothing can move

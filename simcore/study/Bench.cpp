@@ -18,9 +18,9 @@ Error cancelled() { return {Fault::Cancelled, {}, {}, "benchmark"}; }
 StudyTable statesTable(const std::vector<ContactState>& states) {
   StudyTable table;
   table.id = "states";
-  table.columns = {"state", "contacts", "active", "timeS", "mark", "pressedN", "contactDistanceMm", "distanceChanged", "stateHash"};
+  table.columns = {"state", "contacts", "pressing", "timeS", "mark", "pressedN", "contactDistanceMm", "distanceChanged", "stateHash"};
   for (const ContactState& state : states)
-    table.rows.push_back({stateName(state), long{state.contacts}, long{state.active}, state.time, state.mark, state.pressed,
+    table.rows.push_back({stateName(state), long{state.contacts}, long{state.pressing}, state.time, state.mark, state.pressed,
                           1e3 * state.contactDistance, state.distanceChanged, toHex(stateHash(state.state))});
   return table;
 }
@@ -46,7 +46,7 @@ Result<std::vector<StudyTable>> benchProfiles(const StudyScene& scene, const Ben
   StudyTable steps, stages;
   steps.id = "profiles";
   steps.facts = {{"solveStages", std::string("assemble factor unconstrained delassus contact")}};
-  steps.columns = {"state", "profile", "contacts", "active", "repeats", "stepMedianMs", "stepP95Ms", "stepP99Ms", "stepP999Ms",
+  steps.columns = {"state", "profile", "contacts", "pressing", "repeats", "stepMedianMs", "stepP95Ms", "stepP99Ms", "stepP999Ms",
                    "wallMedianMs", "wallP99Ms", "solveMedianMs", "solveP99Ms", "velocityError", "complementarityMPerS", "diverged"};
   stages.id = "stages";
   stages.columns = {"state", "profile"};
@@ -63,7 +63,7 @@ Result<std::vector<StudyTable>> benchProfiles(const StudyScene& scene, const Ben
       const StepCost cost = profile == Profile::Reference ? reference
                                                           : measureStep(*model, {profile}, state.state, state.inputs,
                                                                         direct ? options.fast : options.slow);
-      steps.rows.push_back({stateName(state), std::string(profileName(profile)), long{cost.contacts}, long{cost.active}, cost.repeats,
+      steps.rows.push_back({stateName(state), std::string(profileName(profile)), long{cost.contacts}, long{cost.pressing}, cost.repeats,
                             cost.cpu.median, cost.cpu.p95, cost.cpu.p99, cost.cpu.p999, cost.wall.median, cost.wall.p99,
                             cost.solve.median, cost.solve.p99, relativeVelocityError(cost.after, reference.after),
                             cost.complementarity, cost.paper.diverged});
@@ -82,7 +82,7 @@ Result<std::vector<StudyTable>> benchEffect(const char* name, Wish Effects::*wis
                                             const BenchOptions& options) {
   StudyTable table;
   table.id = name;
-  table.columns = {"state", name, "reason", "contacts", "active", "stepMedianMs", "stepP99Ms", "ratio"};
+  table.columns = {"state", name, "reason", "contacts", "pressing", "stepMedianMs", "stepP99Ms", "ratio"};
   const auto states = findContactStates(scene, options.contacts, [&](double done) { return goOn(options, name, 0.5 * done); });
   if (!states) return states.error();
   for (const ContactState& state : *states) {
@@ -108,7 +108,7 @@ Result<std::vector<StudyTable>> benchEffect(const char* name, Wish Effects::*wis
       stepper.step(state.inputs, start);
       const StepCost cost = measureStep(*model, {}, start, state.inputs, options.fast);
       if (wish == Wish::Off) without = cost.cpu.median;
-      for (StudyCell cell : Rows{long{cost.contacts}, long{cost.active}, cost.cpu.median, cost.cpu.p99, cost.cpu.median / without})
+      for (StudyCell cell : Rows{long{cost.contacts}, long{cost.pressing}, cost.cpu.median, cost.cpu.p99, cost.cpu.median / without})
         row.push_back(std::move(cell));
       table.rows.push_back(std::move(row));
       if (!goOn(options, name, 0.5)) return cancelled();

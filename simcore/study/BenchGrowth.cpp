@@ -69,7 +69,7 @@ Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const Bench
 
   StudyTable table;
   table.id = "growth";
-  table.columns = {"wanted", "tetrahedra", "velocities", "collisionTriangles", "contacts", "active", "repeats", "stepMedianMs",
+  table.columns = {"wanted", "tetrahedra", "velocities", "collisionTriangles", "contacts", "pressing", "repeats", "stepMedianMs",
                    "stepP95Ms", "stepP99Ms", "stepP999Ms", "wallMedianMs", "assembleMs", "factorMs", "delassusMs", "contactMs",
                    "collideMs", "nearTrianglePairs", "memoryMiB", "taken", "solver"};
   std::vector<double> tets, ms, collideMs, contacts, near;
@@ -91,7 +91,7 @@ Result<std::vector<StudyTable>> benchGrowth(const StudyScene& scene, const Bench
     const auto stage = [&](Stage which) { return cost.stages[static_cast<int>(which)].median; };
     const long nearPairs = nearTrianglePairs(**model, state);
     table.rows.push_back({long{options.tetrahedra[i]}, tetrahedraOf(*joint), static_cast<long>(state.v.size()),
-                          collisionTrianglesOf(**model), long{cost.contacts}, long{cost.active}, cost.repeats, cost.cpu.median,
+                          collisionTrianglesOf(**model), long{cost.contacts}, long{cost.pressing}, cost.repeats, cost.cpu.median,
                           cost.cpu.p95, cost.cpu.p99, cost.cpu.p999, cost.wall.median, stage(Stage::Assemble), stage(Stage::Factor),
                           stage(Stage::Delassus), stage(Stage::Contact), stage(Stage::Collide), nearPairs, cost.memoryMiB,
                           cost.taken, std::string(solverName(**model, Profile::Direct))});

@@ -21,13 +21,13 @@ std::string markAt(const Recording& input, double time) {
   return {};
 }
 
-int contactsWith(const Model& model, const ContactState& found, double distance, int& active) {
+int contactsWith(const Model& model, const ContactState& found, double distance, int& pressing) {
   const auto other = std::make_shared<Model>(model);  // shares everything that the distance does not touch
   other->scenario.contactDistance = distance;
   Stepper stepper(other, {});
   State state = found.state;
   const StepReport& report = stepper.step(found.inputs, state);
-  active = report.active;
+  pressing = report.pressing;
   return report.contacts;
 }
 
@@ -35,11 +35,11 @@ void changeDistance(const Model& model, ContactState& found) {
   double low = model.scenario.contactDistance / kDistanceFactor, high = model.scenario.contactDistance * kDistanceFactor;
   for (int i = 0; i < kBisections; ++i) {
     const double distance = 0.5 * (low + high);
-    int active = 0;
-    const int contacts = contactsWith(model, found, distance, active);
+    int pressing = 0;
+    const int contacts = contactsWith(model, found, distance, pressing);
     if (std::abs(contacts - found.wanted) < std::abs(found.contacts - found.wanted)) {
       found.contacts = contacts;
-      found.active = active;
+      found.pressing = pressing;
       found.contactDistance = distance;
       found.distanceChanged = true;
     }
@@ -69,11 +69,11 @@ Result<Done> search(const StudyScene& scene, double press, const std::vector<Con
     const std::string mark = markAt(scene.input, before.time);
     if (!progress(static_cast<double>(s + 1) / static_cast<double>(steps)))
       return Error{Fault::Cancelled, {}, {}, "looking for states"};
-    if (mark.empty() || report.active == 0) continue;
+    if (mark.empty() || report.pressing == 0) continue;
     for (ContactState* best : found) {
       const int miss = std::abs(report.contacts - best->wanted), known = std::abs(best->contacts - best->wanted);
-      if (best->contacts > 0 && (miss > known || (miss == known && report.active <= best->active))) continue;
-      *best = {best->wanted, report.contacts, report.active, before.time, scenario.contactDistance, press, false, mark, before, inputs};
+      if (best->contacts > 0 && (miss > known || (miss == known && report.pressing <= best->pressing))) continue;
+      *best = {best->wanted, report.contacts, report.pressing, before.time, scenario.contactDistance, press, false, mark, before, inputs};
     }
   }
   for (ContactState* best : found) {

@@ -13,7 +13,7 @@ struct StudyScene {
 
 /// A moment of a scene with about a wanted number of contacts.
 struct ContactState {
-  int wanted = 0, contacts = 0, active = 0;
+  int wanted = 0, contacts = 0, pressing = 0;
   double time = 0;             ///< s of the input
   double contactDistance = 0;  ///< m, of the scenario that gives this many contacts
   double pressed = 0;          ///< N, by which held parts were pressed onto fixed ones
@@ -34,7 +34,7 @@ struct ContactWish {
 std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons);
 
 /// Plays the input once for each press and keeps, for each wanted number, the step nearest to it during which a hand presses (inside
-/// a mark of the recording, with at least one active contact; of equals the one with most active contacts). Where that
+/// a mark of the recording, with at least one pressing contact; of equals the one with most pressing contacts). Where that
 /// misses by more than a few hundredths, the contact distance is changed by bisection, at most fourfold either way,
 /// the state staying the same: more or fewer features count as near. The answer says what it took. Fails as
 /// compileModel does, with Unusable for an input that never presses, with Cancelled.

@@ -36,7 +36,7 @@ StepCost measureStep(std::shared_ptr<const Model> model, const StepperOptions& o
     }
     solve.push_back(static_cast<float>(solveMs));
     cost.contacts = report.contacts;
-    cost.active = report.active;
+    cost.pressing = report.pressing;
     cost.contactIslands = report.contactIslands;
     cost.taken = report.taken;
     cost.residual = report.residual;

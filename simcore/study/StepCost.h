@@ -19,7 +19,7 @@ struct StepCost {
   long repeats = 0;
   Timing cpu, wall, solve;                    ///< ms; solve: the stages that isSolve names
   std::array<Timing, kStageCount> stages{};   ///< thread CPU time, ms
-  int contacts = 0, active = 0, contactIslands = 0;
+  int contacts = 0, pressing = 0, contactIslands = 0;
   bool taken = true;
   double residual = 0, complementarity = 0;   ///< as in StepReport
   PaperReport paper;

@@ -52,7 +52,7 @@ TEST_F(GuiTest, playStepsPauseHoldsResetGoesBack) {
 
 TEST_F(GuiTest, everyLayerChangesThePicture) {
   link.play();  // contacts need a block that stands
-  ASSERT_TRUE(until([this] { return snapshot().report.active > 0; }));
+  ASSERT_TRUE(until([this] { return snapshot().report.pressing > 0; }));
   link.pause();
   ASSERT_TRUE(until([this] { return !snapshot().playing; }));
   for (const char* layer : {"visual", "collision", "dynamics", "contacts", "marker"}) {

@@ -66,7 +66,7 @@ TEST(Run, aToolThatIsPressedInPressesBack) {
   EXPECT_EQ(report.steps, std::lround(2.6 / model->scenario.dt));
   ASSERT_EQ(report.marks.size(), 1u);
   EXPECT_GT(report.marks[0].forceMax, 0.1);
-  EXPECT_GT(report.contacts.activeMax, 0);
+  EXPECT_GT(report.contacts.pressingMax, 0);
   ASSERT_TRUE(report.contacts.rest.has_value());
   EXPECT_GT(*report.contacts.rest, 0);  // the block lies on the plate
   EXPECT_LT(report.penetrationMax, 1e-3);

@@ -26,7 +26,7 @@ Model smallModel() {
 StepReport stepWith(int contacts, double force) {
   StepReport step;
   step.contacts = contacts;
-  step.active = force > 0 ? contacts : 0;
+  step.active = step.pressing = force > 0 ? contacts : 0;
   for (int c = 0; c < contacts; ++c) step.contactViews.push_back({1, 0, Vec3::Zero(), Vec3::UnitY(), 0, force / contacts});
   return step;
 }

@@ -77,7 +77,7 @@ TEST(ContactState, aPressedStateHasAboutTheWantedContacts) {
   ASSERT_EQ(states.size(), 2u);
   for (const ContactState& found : states) {
     EXPECT_NEAR(found.contacts, found.wanted, 0.03 * found.wanted);
-    EXPECT_GE(found.active, found.pressed > 0 ? 5 : 1);
+    EXPECT_GE(found.pressing, found.pressed > 0 ? 5 : 1);
     // The state gives what it says, and is the same state twice.
     const auto model = compileModel(scene.joint, scenarioOf(scene, found)).value();
     Stepper stepper(model, {});
