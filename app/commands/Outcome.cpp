@@ -2,6 +2,7 @@
 #include "app/commands/Outcome.h"
 
 #include "app/commands/Console.h"
+#include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/scene/RecordingFile.h"
 
@@ -32,9 +33,16 @@ std::string summaryOf(const RunReport& r) {
                 "capped in %ld steps\n",
                 r.paper->nodeSteps, r.paper->objectSteps, r.paper->outerIterationsMean, r.paper->outerIterationsMax,
                 r.paper->outerResidualMax, r.paper->outerCappedSteps);
+  if (r.paper && !r.paper->departures.empty()) {
+    out += "             not as published: ";
+    for (std::size_t i = 0; i < r.paper->departures.size(); ++i)
+      out += (i ? "; " : "") + paperDeparture(r.paper->departures[i]).toStdString();
+    out += "\n";
+  }
   for (const MarkReport& mark : r.marks)
     if (mark.begin < r.seconds)
       out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);
+  for (const Notice& notice : r.notices) out += "notice:      " + sentenceOf(notice).toStdString() + "\n";
   return out + "state:       " + r.stateHash + "\n";
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "simcore/live/Notice.h"
 #include "simcore/step/Stepper.h"
 
 namespace glenoid {
@@ -67,6 +68,7 @@ struct PaperSummary {
   int cgIterationsMax = 0, outerIterationsMax = 0;
   double cgResidualMax = 0, outerResidualMax = 0, outerIterationsMean = 0;
   long cgCappedSteps = 0, outerCappedSteps = 0, divergedSteps = 0;
+  std::vector<std::string> departures;  ///< from the step as published: words of PaperSettings
 };
 
 /// With `--realtime`: how the clock was kept. A late simulation catches up by a bounded number of steps.
@@ -104,6 +106,7 @@ struct RunReport {
   int visualPenetrationEvery = 0;
   std::vector<EffectReport> effects;
   std::vector<MarkReport> marks;
+  std::vector<Notice> notices;               ///< what must be said before any figure is believed
   std::optional<PaperSummary> paper;         ///< `paper` profile only
   std::optional<PaceReport> pace;            ///< `--realtime` only
 };
