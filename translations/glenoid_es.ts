@@ -2571,6 +2571,69 @@
     </message>
 </context>
 <context>
+    <name>glenoid::NoticeSentences</name>
+    <message>
+        <source>The effect “%1” is switched on, but no version has it yet: it does nothing.</source>
+        <translation>El efecto «%1» está activado, pero ninguna versión lo tiene aún: no hace nada.</translation>
+    </message>
+    <message>
+        <source>The seed %1 changes nothing, since nothing in this version is drawn at random.</source>
+        <translation>La semilla %1 no cambia nada, ya que en esta versión nada se sortea.</translation>
+    </message>
+    <message>
+        <source>The effect “%1” is switched on, but the scene holds nothing for it to act on.</source>
+        <translation>El efecto «%1» está activado, pero en la escena no hay nada sobre lo que actúe.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” lay %3 mm deep in each other at %4 s, beyond the limit of %5 mm: what the run says after that is not to be trusted.</source>
+        <translation>«%1» y «%2» estaban hundidos %3 mm uno en otro a los %4 s, más allá del límite de %5 mm: no hay que fiarse de lo que la simulación dice después.</translation>
+    </message>
+    <message>
+        <source>“%1” was carried %2 mm away by step %3 (%4 s), many times its own size of %5 mm: nothing holds it against its loads.</source>
+        <translation>«%1» fue arrastrado %2 mm hasta el paso %3 (%4 s), muchas veces su propio tamaño de %5 mm: nada lo sujeta frente a sus cargas.</translation>
+    </message>
+    <message>
+        <source>“%1” was stretched to %2 times its length by step %3 (%4 s), where any tissue is torn: its loads are too large or its material is too soft.</source>
+        <translation>«%1» fue estirado a %2 veces su longitud hasta el paso %3 (%4 s), donde cualquier tejido se rompe: sus cargas son demasiado grandes o su material demasiado blando.</translation>
+    </message>
+    <message>
+        <source>The mark “%1” (%2) was missed: nothing pressed with 1 N while it lasted, at steps of %3 ms.</source>
+        <translation>La marca «%1» (%2) se perdió: nada apretó con 1 N mientras duró, con pasos de %3 ms.</translation>
+    </message>
+    <message>
+        <source>The steps are too long for the recording: the hand of “%1” passes its path at %2 s by %3 mm, and contact begins at %4 mm.</source>
+        <translation>Los pasos son demasiado largos para la grabación: la mano de «%1» se aparta de su camino %3 mm a los %2 s, y el contacto empieza a los %4 mm.</translation>
+    </message>
+    <message>
+        <source>the stiffness of taut tissue against turning is in A</source>
+        <translation>la rigidez del tejido tenso frente al giro está en A</translation>
+    </message>
+    <message>
+        <source>the speed at which penetration is undone is capped</source>
+        <translation>la velocidad con que se deshace la penetración está limitada</translation>
+    </message>
+    <message>
+        <source>steps that turn too far are cut in parts</source>
+        <translation>los pasos que giran demasiado se cortan en partes</translation>
+    </message>
+    <message>
+        <source>contacts are looked for again along unforeseen motion</source>
+        <translation>los contactos se buscan de nuevo a lo largo del movimiento imprevisto</translation>
+    </message>
+    <message>
+        <source>B is kept as a matrix</source>
+        <translation>B se guarda como matriz</translation>
+    </message>
+    <message>
+        <source>terms of turning levers are left out of ∂F/∂q</source>
+        <translation>los términos de brazos que giran se omiten en ∂F/∂q</translation>
+    </message>
+    <message>
+        <source>couplings are springs at points of their regions</source>
+        <translation>los acoplamientos son muelles en puntos de sus regiones</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::PartEdits</name>
     <message>
         <source>Rename “%1”</source>
@@ -2820,6 +2883,10 @@
     <message>
         <source>The recorded proof of the start belongs to other meshes, cages or contacts. Check the start again.</source>
         <translation>La prueba registrada del comienzo corresponde a otras mallas, jaulas o contactos. Compruebe de nuevo el comienzo.</translation>
+    </message>
+    <message>
+        <source>A setting of the scenario changes nothing.</source>
+        <translation>Un ajuste del escenario no cambia nada.</translation>
     </message>
     <message>
         <source>The joint cannot be saved as it is.</source>

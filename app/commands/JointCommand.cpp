@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/Resources.h"
 #include "app/commands/BuildJointFile.h"
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
@@ -30,9 +31,11 @@ Result<Done> info(const std::string& word, bool json) {
 }
 
 Result<Done> check(const std::string& word, bool json) {
-  const Result<Joint> joint = openJoint(word);
-  if (!joint) return joint.error();
-  const CheckReport found = *ProblemFinder().find(*joint);  // fails only where it is asked to stop
+  const Result<OpenScene> scene = openSceneOrJoint(word);
+  if (!scene) return scene.error();
+  const Joint* const joint = &scene->joint;
+  const Scenario* const around = namesJoint(word) ? nullptr : &scene->scenario;
+  const CheckReport found = *ProblemFinder().find(*joint, around);  // fails only where it is asked to stop
   std::fputs((json ? jointCheckJson(*joint, found) : jointCheckText(*joint, found)).c_str(), stdout);
   if (found.holds()) return Done{};
   return Error{Fault::CheckFailed, {word, "", "", {}}, {"the joint has problems, listed above"}, "joint check"};

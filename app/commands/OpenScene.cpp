@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/OpenScene.h"
 
+#include <charconv>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "app/Resources.h"
@@ -102,6 +105,30 @@ Result<Done> applyEffects(const std::string& list, Effects& effects) {
     else return usageError("an effect is on, off or auto, not “" + value + "”");
   }
   return Done{};
+}
+
+Result<Done> applyPaper(const std::string& list, PaperSettings& settings) {
+  std::istringstream words(list);
+  std::string word;
+  while (std::getline(words, word, ',')) {
+    const auto equals = word.find('=');
+    const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+    if (value != "on" && value != "off") return usageError("--paper wants ADDITION=on or off, not “" + word + "”");
+    bool* setting = paperSetting(settings, word.substr(0, equals));
+    if (!setting) return usageError("the paper profile has no addition “" + word.substr(0, equals) + "”: tension, recovery-cap, parts or search-again");
+    *setting = value == "on";
+  }
+  return Done{};
+}
+
+Result<double> lengthNamed(const std::string& option, const std::string& word) {
+  if (word == "none") return std::numeric_limits<double>::infinity();
+  double value = 0;
+  const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const std::string unit(end, word.data() + word.size());
+  if (fault != std::errc() || !(value > 0) || !(unit.empty() || unit == "m" || unit == "mm") || !std::isfinite(value))
+    return usageError(option + " wants a length above zero, such as 0.5mm or 0.0005, or none, not “" + word + "”");
+  return unit == "mm" ? 1e-3 * value : value;
 }
 
 }  // namespace glenoid

@@ -9,6 +9,7 @@
 #include "simcore/scene/Recording.h"
 #include "simcore/scene/Scenario.h"
 #include "simcore/step/Model.h"
+#include "simcore/step/PaperSettings.h"
 
 namespace glenoid {
 
@@ -38,5 +39,11 @@ Result<std::optional<Recording>> openShippedInput(const std::string& word, const
 
 /// Sets effects from "friction=off,bursa=on" (also "auto"). Fails with BadUsage naming the word.
 Result<Done> applyEffects(const std::string& list, Effects& effects);
+
+/// Sets what the `paper` profile adds from "tension=on,parts=off". Fails with BadUsage naming the word.
+Result<Done> applyPaper(const std::string& list, PaperSettings& settings);
+
+/// A length, m: "0.001", "0.001m" or "1mm"; "none" is infinite. Fails with BadUsage naming the option.
+Result<double> lengthNamed(const std::string& option, const std::string& word);
 
 }  // namespace glenoid

@@ -2,6 +2,7 @@
 #include "app/commands/Outcome.h"
 
 #include "app/commands/Console.h"
+#include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/scene/RecordingFile.h"
 
@@ -10,20 +11,6 @@ namespace glenoid {
 Result<Done> saveOutcome(const RunReport& report, const std::string& path) { return writeWholeFile(path, toJson(report)); }
 
 Result<Done> saveOutcome(const Recording& recording, const std::string& path) { return saveRecording(recording, path); }
-
-namespace {
-
-/// One row for each of paperDepartures.
-std::string departureSentence(const std::string& word) {
-  constexpr const char* kSentences[][2] = {
-      {"couplings-at-integration-points", "springs of couplings hold at integration points of their regions, not at nodes, as in every profile"},
-  };
-  for (const auto& [each, sentence] : kSentences)
-    if (word == each) return sentence;
-  return word;
-}
-
-}  // namespace
 
 std::string summaryOf(const RunReport& r) {
   std::string out = text("%s: %ld steps of %g ms, %s, %s\n", r.scenario.c_str(), r.steps, r.dt * 1e3, r.profile.c_str(),
@@ -42,15 +29,20 @@ std::string summaryOf(const RunReport& r) {
          (r.visualPenetrationPair.empty() ? std::string() : " (" + r.visualPenetrationPair + ")") + "\n";
   out += text("residual:    %.2e\n", r.residual);
   if (r.paper)
-    for (const std::string& word : r.paper->departures) out += "departs:     " + departureSentence(word) + "\n";
-  if (r.paper)
     out += text("paper:       D by node in %ld steps, by object in %ld; outer iterations %.1f mean, %d max, residual %.1e; "
                 "capped in %ld steps\n",
                 r.paper->nodeSteps, r.paper->objectSteps, r.paper->outerIterationsMean, r.paper->outerIterationsMax,
                 r.paper->outerResidualMax, r.paper->outerCappedSteps);
+  if (r.paper && !r.paper->departures.empty()) {
+    out += "             not as published: ";
+    for (std::size_t i = 0; i < r.paper->departures.size(); ++i)
+      out += (i ? "; " : "") + paperDeparture(r.paper->departures[i]).toStdString();
+    out += "\n";
+  }
   for (const MarkReport& mark : r.marks)
     if (mark.begin < r.seconds)
       out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);
+  for (const Notice& notice : r.notices) out += "notice:      " + sentenceOf(notice).toStdString() + "\n";
   return out + "state:       " + r.stateHash + "\n";
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/Outcome.h"
 #include "app/commands/Picture.h"
+#include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
@@ -18,7 +19,7 @@ namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, effects, record, report, render, state, vtu, trace, traceParts, tracePairs;
+  std::string scenario, profile, input, effects, paper, failDepth, record, report, render, state, vtu, trace, traceParts, tracePairs;
   double seconds = 0, dt = 0;
   long steps = 0;
   int threads = 1, every = 1;
@@ -113,6 +114,14 @@ Result<Done> run(const Wishes& wishes) {
   if (options.steps == 0 && options.seconds == 0) options.seconds = *input ? inputSeconds(**input) : 0;
   if (options.steps == 0 && options.seconds == 0) options.seconds = 10;
   options.stepper = {scene->scenario.profile, wishes.threads, wishes.portable};
+  if (const auto set = applyPaper(wishes.paper, options.stepper.paper); !set) return set.error();
+  if (!wishes.paper.empty() && scene->scenario.profile != Profile::Paper) return usageError("--paper goes with the profile “paper” only");
+  if (!wishes.paper.empty() && !wishes.record.empty()) return usageError("--record keeps no additions to the published step, so it goes without --paper");
+  if (!wishes.failDepth.empty()) {
+    const Result<double> depth = lengthNamed("--fail-depth", wishes.failDepth);
+    if (!depth) return depth.error();
+    options.failDepth = *depth;
+  }
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
   options.realtime = wishes.realtime;
@@ -138,6 +147,8 @@ Result<Done> run(const Wishes& wishes) {
     if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);
+  for (const Notice& notice : result->report.notices)
+    if (notice.kind == NoticeKind::TooDeep) return Error{Fault::CheckFailed, {}, {sentenceOf(notice).toStdString()}, "run --fail-depth"};
   return Done{};
 }
 
@@ -158,6 +169,11 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--input", wishes->input, "Hands over time: a .recording; without it the scenario's own");
   command->add_flag("--realtime", wishes->realtime, "Keep pace with the clock");
   command->add_option("--effects", wishes->effects, "Such as friction=off,damping=on");
+  command->add_option("--paper", wishes->paper,
+                      "What the paper profile adds to the published step: tension, recovery-cap, parts, search-again, such as parts=on");
+  command->add_option("--fail-depth", wishes->failDepth,
+                      "Exit status 1 where two objects lie deeper in each other, such as 0.5mm; none: never; without it a third of "
+                      "the thickness of the thinner one");
   command->add_option("--threads", wishes->threads, "Threads of the step; the result is the same")->check(CLI::Range(1, 64));
   command->add_option("--record", wishes->record, "Write a .recording that “glenoid replay --check” can repeat");
   command->add_option("--report", wishes->report, "Write the report as JSON");
@@ -174,7 +190,7 @@ void addRunCommand(CLI::App& app, int& status) {
       ->needs(trace);
   command->add_option("--vtu", wishes->vtu,
                       "Write displacement, strain, stress and von Mises stress of the soft parts at the end as VTK unstructured grid");
-  command->add_option("--seed", wishes->seed, "Seed of whatever is drawn at random");
+  command->add_option("--seed", wishes->seed, "Kept with recordings; nothing in this version is drawn at random");
   command->add_flag("--portable", wishes->portable, "Use no SIMD kernels: same bits on every processor");
   command->callback([wishes, &status] {
     const Result<Done> done = run(*wishes);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/NoticeSentences.h"
 #include "editor/core/Sentences.h"
 #include "simcore/check/FixProblem.h"
 
@@ -152,6 +153,7 @@ QString ProblemSentences::what() const {
       return tr("No two parts cut each other at the start, but the joint does not record it. Recording it lets others trust it.");
     case ProblemKind::ProofStale:
       return tr("The recorded proof of the start belongs to other meshes, cages or contacts. Check the start again.");
+    case ProblemKind::SettingUnused: return p.unused ? glenoid::sentenceOf(*p.unused) : tr("A setting of the scenario changes nothing.");
     case ProblemKind::Unsound:
       return p.error ? glenoid::sentenceOf(*p.error) : tr("The joint cannot be saved as it is.");
   }
@@ -185,6 +187,7 @@ QString ProblemSentences::fix() const {
     case ProblemKind::FlatTetrahedra:
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
+    case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: break;
   }
   return {};

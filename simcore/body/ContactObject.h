@@ -33,6 +33,7 @@ struct StepSettings {
   Vec3 gravity_W = Vec3::Zero();  ///< zero where the effect is off
   bool damping = true;          ///< Rayleigh
   bool portable = false;        ///< no SIMD kernels
+  bool tension = true;          ///< A holds the stiffness of taut tissue against turning
   bool rotationsBySvd = false;  ///< `reference`: no iteration, no guess
 };
 

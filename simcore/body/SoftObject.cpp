@@ -98,7 +98,7 @@ void SoftObject::assembleElement(int e, const StepSettings& settings, const VecX
   for (int i = 0; i < 4; ++i) b.segment<3>(3 * m_mesh->tets[e][i]) += dt * force.col(i);
   const double scale = dt * dt + (settings.damping ? dt * m_stiffnessDamping[e] : 0);
   const Mat34 g = rotatedGradients(tet, R_WE);
-  const double turning = dt * dt * tensionStiffness(tet, F, R_WE);
+  const double turning = settings.tension ? dt * dt * tensionStiffness(tet, F, R_WE) : 0;
   for (int k = 0; k < 10; ++k) {
     const Vec3 gi = g.col(kPairs[k][0]), gj = g.col(kPairs[k][1]);
     A.add(entries[k], scale * stiffnessBlock(tet, gi, gj) + tensionBlock(turning, gi, gj));
@@ -115,6 +115,7 @@ void SoftObject::assemble(const StepSettings& settings, const State& state, std:
   } else {
     const PackKernel kernel = packKernel(settings.portable);
     PackTarget target;
+    target.tension = settings.tension ? 1 : 0;
     PackResult result;
     for (std::size_t p = 0; p < m_packs.size(); ++p) {
       const ElementPack& pack = m_packs[p];

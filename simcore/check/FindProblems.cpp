@@ -36,6 +36,7 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::Swallowed: return "swallowed";
     case ProblemKind::ProofMissing: return "proof-missing";
     case ProblemKind::ProofStale: return "proof-stale";
+    case ProblemKind::SettingUnused: return "setting-unused";
     case ProblemKind::Unsound: return "unsound";
   }
   return "";
@@ -84,6 +85,8 @@ Result<CheckReport> ProblemFinder::find(const Joint& joint, const Scenario* scen
   checkCouplings(work);
   checkIslands(work);
   checkAtStart(work);
+  if (scenario)
+    for (const UnusedSetting& unused : unusedSettings(*scenario)) work.add(ProblemKind::SettingUnused, Severity::Warning).unused = unused;
   if (!work.goesOn()) return Error{Fault::Cancelled, {}, {}, "check"};
   if (report.holds())
     if (const auto sound = checkJoint(joint, {}); !sound) work.add(ProblemKind::Unsound, Severity::Error).error = sound.error();

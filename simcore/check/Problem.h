@@ -6,6 +6,7 @@
 
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
+#include "simcore/scene/UnusedSettings.h"
 
 namespace glenoid {
 
@@ -38,6 +39,7 @@ enum class ProblemKind {
   Swallowed,           ///< `part` lies wholly inside `other` at the start; figure: deepest vertex, m
   ProofMissing,        ///< the start is free of overlap, and the joint does not say so
   ProofStale,          ///< the joint says so of other meshes, cages or exclusions
+  SettingUnused,       ///< of the scenario: `unused` says which wish changes nothing
   Unsound,             ///< anything else that keeps it from being saved: `error`
 };
 inline constexpr int kProblemKindCount = static_cast<int>(ProblemKind::Unsound) + 1;
@@ -59,6 +61,7 @@ struct Problem {
   double figure = 0, wanted = 0;
   std::vector<std::string> parts;
   std::optional<Error> error;
+  std::optional<UnusedSetting> unused;
 };
 
 }  // namespace glenoid

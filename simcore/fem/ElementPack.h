@@ -18,6 +18,7 @@ struct alignas(32) ElementPack {
 struct PackTarget {
   double* slot[4][10];  ///< [lane][block]: 12 doubles on 32 bytes, columns of four; null in unused lanes
   bool turned[4][10];   ///< the transpose is stored
+  double tension = 1;   ///< 0: without tension's part
 };
 inline constexpr int kPackPairs[10][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {1, 0}, {2, 0}, {3, 0}, {2, 1}, {3, 1}, {3, 2}};
 

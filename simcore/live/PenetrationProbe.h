@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "simcore/collide/Penetration.h"
+#include "simcore/live/Notice.h"
 #include "simcore/scene/Part.h"
 #include "simcore/step/Stepper.h"
 
@@ -18,19 +20,33 @@ class PenetrationProbe {
  public:
   PenetrationProbe(const Model& model, SurfaceKind kind);
 
+  /// From now on counts what lies deeper than a depth (m; infinite: nothing), or, without one, than a third of the
+  /// thickness of the thinner of the two objects. Thickness: twice the volume over the area, which is that of a sheet, the
+  /// radius of a long shaft, a third of the diameter of a ball. Deeper, the far side is nearly as near as the side
+  /// that was passed.
+  void setLimit(std::optional<double> depth);
+
   /// The state vector of one moment and the dents of the step that led to it: a tip counts from the bottom of its dent.
-  void look(const VecX& q, std::span<const DentView> dents = {});
+  void look(const VecX& q, std::span<const DentView> dents = {}, double time = 0, long step = 0);
+
+  /// What went furthest beyond its limit, as a share of that; nothing where all stayed within.
+  const std::optional<Notice>& tooDeep() const { return m_tooDeep; }
 
   double deepest() const { return m_deepest; }        ///< m
   const std::string& where() const { return m_where; }  ///< "id of a / id of b", empty when nothing is inside
 
  private:
+  void lookBeyondLimits(double time, long step);
+
   const Model& m_model;
   SurfaceKind m_kind;
   std::vector<std::vector<Vec3>> m_positions;
   std::vector<std::span<const Vec3>> m_spans;
   PenetrationCheck m_check;
   std::vector<double> m_allowed;  ///< by pair, m
+  std::vector<double> m_limits;   ///< by pair, m; empty: none
+  double m_leastLimit = 0;        ///< of them
+  std::optional<Notice> m_tooDeep;
   double m_deepest = 0;
   std::string m_where;
 };

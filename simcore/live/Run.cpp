@@ -8,6 +8,7 @@
 #include "simcore/live/Pacer.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/RunGather.h"
+#include "simcore/live/RunWatch.h"
 
 namespace glenoid {
 namespace {
@@ -84,6 +85,9 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   RunGather gather(*model, options.input, *steps, options.stepper.profile);
   std::optional<PenetrationProbe> collision, visual;
   if (options.checks) collision.emplace(*model, SurfaceKind::Collision);
+  if (collision) collision->setLimit(options.failDepth);
+  std::optional<RunWatch> watch;
+  if (options.checks) watch.emplace(*model);
   if (options.checks && options.visualEvery > 0) visual.emplace(*model, SurfaceKind::Visual);
   std::optional<Pacer> pacer;
   if (options.realtime) pacer.emplace(dt);
@@ -97,7 +101,8 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
     gather.add(step, time);
-    if (collision) collision->look(state.q, step.dents);
+    if (collision) collision->look(state.q, step.dents, state.time, state.step);
+    if (watch) watch->look(state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
     if (options.observe) options.observe(step, state);
     if (s + 1 == *steps) {
@@ -132,6 +137,11 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     report.visualPenetrationPair = visual->where();
     report.visualPenetrationEvery = options.visualEvery;
   }
+  report.notices = noticesBefore(*model, options.input, report.seconds);
+  for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);
+  if (watch) report.notices.insert(report.notices.end(), watch->notices().begin(), watch->notices().end());
+  if (collision && collision->tooDeep()) report.notices.push_back(*collision->tooDeep());
+  if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);
   if (pacer) report.pace = pacer->report();
   if (options.record) result.recording = recordingOf(*model, options, report);
   return result;

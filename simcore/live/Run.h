@@ -21,6 +21,7 @@ struct RunOptions {
   bool record = false;              ///< answer a recording that `replay --check` can repeat
   bool realtime = false;            ///< wait for the clock; a late run catches up by a few steps, then slows down
   bool checks = true;               ///< penetration on collision and visual surfaces, outside the step's time
+  std::optional<double> failDepth;  ///< m: deeper is a notice TooDeep; infinite: never; nothing: PenetrationProbe's own limits
   int visualEvery = 50;             ///< steps between two checks of the visual surfaces; 0: never
   std::function<void(const StepReport&, const State&)> observe;  ///< after every step, outside its time; for traces
   std::function<bool(double fraction)> progress;  ///< after every step, 0…1; false cancels

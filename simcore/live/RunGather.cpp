@@ -202,7 +202,6 @@ void RunGather::finish(RunReport& report) {
   if (m_paper) {
     m_paperSummary.outerIterationsMean = m_outerSteps ? m_outer / static_cast<double>(m_outerSteps) : 0;
     report.diverged = m_paperSummary.divergedSteps > 0;
-    m_paperSummary.departures = paperDepartures(m_model);
     report.paper = m_paperSummary;
   }
 }

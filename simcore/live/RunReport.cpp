@@ -44,15 +44,29 @@ Json toJson(const ContactCounts& c) {
   return json;
 }
 
+Json wordsOf(const std::vector<std::string>& words) {
+  Json list = Json::array();
+  for (const std::string& word : words) list.append(word);
+  return list;
+}
+
+Json toJson(const Notice& n) {
+  Json json = object({{"kind", noticeName(n.kind)}, {"subject", n.subject}});
+  if (n.kind == NoticeKind::UnusedSetting) json.set("why", unusedName(n.unused.why));
+  if (!n.other.empty()) json.set("other", n.other);
+  if (n.figure > 0) json.set("figure", n.figure);
+  if (n.limit > 0) json.set("limit", n.limit);
+  if (n.step > 0) json.set("time", n.time), json.set("step", n.step);
+  return json;
+}
+
 Json toJson(const PaperSummary& p) {
-  Json departures = Json::array();
-  for (const std::string& word : p.departures) departures.append(word);
   return object({{"dNodeSteps", p.nodeSteps}, {"dObjectSteps", p.objectSteps}, {"lambdaMax", p.lambdaMax},
                  {"cgIterationsMax", p.cgIterationsMax}, {"cgResidualMax", p.cgResidualMax},
                  {"cgCappedSteps", p.cgCappedSteps}, {"outerIterationsMax", p.outerIterationsMax},
                  {"outerIterationsMean", p.outerIterationsMean}, {"outerResidualMax", p.outerResidualMax},
                  {"outerCappedSteps", p.outerCappedSteps}, {"divergedSteps", p.divergedSteps},
-                 {"departures", departures}});
+                 {"departures", wordsOf(p.departures)}});
 }
 
 Json toJson(const EffectReport& e) {
@@ -141,7 +155,7 @@ std::string toJson(const RunReport& r) {
        {"islands", object({{"coupling", r.couplingIslands}, {"contactMax", r.contactIslandsMax}})},
        {"contacts", toJson(r.contacts)}, {"ms", timesOf(r)}, {"penetrationMax", r.penetrationMax},
        {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},
-       {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}});
+       {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}, {"notices", listOf(r.notices)}});
   if (r.paper) json.set("paper", toJson(*r.paper));
   if (r.pace) {
     json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "simcore/live/Notice.h"
 #include "simcore/step/Stepper.h"
 
 namespace glenoid {
@@ -73,13 +74,8 @@ struct PaperSummary {
   int cgIterationsMax = 0, outerIterationsMax = 0;
   double cgResidualMax = 0, outerResidualMax = 0, outerIterationsMean = 0;
   long cgCappedSteps = 0, outerCappedSteps = 0, divergedSteps = 0;
-  std::vector<std::string> departures;  ///< where the step differs from what is published, as words: paperDepartures
+  std::vector<std::string> departures;  ///< from the step as published: words of PaperSettings
 };
-
-/// Words for what of a model's step under the `paper` profile is not as published; who shows them has the sentences.
-/// "couplings-at-integration-points": springs hold at integration points of their regions, in every profile, since a
-/// coupling belongs to the model; the paper has them at nodes (§4.2).
-std::vector<std::string> paperDepartures(const Model& model);
 
 /// With `--realtime`: how the clock was kept. A late simulation catches up by a bounded number of steps.
 struct PaceReport {
@@ -117,6 +113,7 @@ struct RunReport {
   int visualPenetrationEvery = 0;
   std::vector<EffectReport> effects;
   std::vector<MarkReport> marks;
+  std::vector<Notice> notices;               ///< what must be said before any figure is believed
   std::optional<PaperSummary> paper;         ///< `paper` profile only
   std::optional<PaceReport> pace;            ///< `--realtime` only
 };

@@ -68,7 +68,7 @@ bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3
 
 void buildContacts(Stepper::Work& work, const State& state) {
   const StageClock clock(work.report, Stage::Islands);
-  const double dt = work.settings.dt, fastest = work.model->scenario.recoverySpeedMax;
+  const double dt = work.settings.dt, fastest = work.recoverySpeedMax;
   const std::vector<Proximity>& found = *work.proximities;
   work.contacts.clear();
   work.sides.clear();

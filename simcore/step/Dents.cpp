@@ -82,7 +82,7 @@ void buildDents(Stepper::Work& work, const State& state) {
   work.dents.clear();
   if (work.inside->dents.empty()) return;
   const StageClock clock(work.report, Stage::Dent);
-  const double dt = work.settings.dt, fastest = work.model->scenario.recoverySpeedMax;
+  const double dt = work.settings.dt, fastest = work.recoverySpeedMax;
   const std::size_t found = work.contacts.size();
   for (std::size_t c = 0; c < found; ++c) {
     const StepContact& contact = work.contacts[c];

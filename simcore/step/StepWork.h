@@ -110,6 +110,8 @@ struct Stepper::Work {
   StepperOptions options;
   StepSettings settings;
   PaperLimits paper;
+  PaperSettings additions;            ///< all of them in every profile but `paper`
+  double recoverySpeedMax = 0;        ///< of c, m/s; infinite where c is not cut
   StepReport report;
   std::vector<IslandWork> islands;
   std::vector<Pose> wanted;           ///< hand of each tool at the end of the step

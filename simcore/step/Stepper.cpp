@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "simcore/linear/Kernels.h"
 #include "simcore/step/StepWork.h"
@@ -50,6 +51,9 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.settings = work.inside->settings;
   work.settings.portable = options.portable;
   work.settings.rotationsBySvd = options.profile == Profile::Reference;
+  work.additions = options.profile == Profile::Paper ? options.paper : PaperSettings::all();
+  work.settings.tension = work.additions.tension;
+  work.recoverySpeedMax = work.additions.recoveryCap ? work.model->scenario.recoverySpeedMax : std::numeric_limits<double>::infinity();
   for (const CouplingIslandModel& island : work.inside->islands) {
     IslandWork& scratch = work.islands.emplace_back(island);
     if (options.profile == Profile::Direct) scratch.response = makeCholeskyResponse(island.symbolic, options.portable);
@@ -224,7 +228,7 @@ bool solveStep(Stepper::Work& work, const State& state) {
     if (good) {
       for (IslandWork& island : work.islands) island.free = island.v;
       solveContacts(work, state);
-      while (velocitiesFinite(work.islands) && work.searchAgain(state)) {
+      while (work.additions.searchAgain && velocitiesFinite(work.islands) && work.searchAgain(state)) {
         for (IslandWork& island : work.islands) island.v = island.free;
         solveContacts(work, state);
       }
@@ -260,7 +264,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   placeDriven(*work.model, *work.inside, work.partBegin, state.q);
   const double dt = work.settings.dt;
   bool good = solveStep(work, state);
-  if (good) report.parts = partsOf(work, state);
+  if (good && work.additions.parts) report.parts = partsOf(work, state);
   work.settings.dt = dt / report.parts;
   for (int left = report.parts; good && left > 0; --left) {
     if (report.parts > 1) {  // the trial over the whole step is thrown away

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simcore/step/Model.h"
+#include "simcore/step/PaperSettings.h"
 
 namespace glenoid {
 
@@ -91,6 +92,7 @@ struct StepperOptions {
   bool portable = false;  ///< no SIMD kernels
   /// Called with the state after each part of a step and the part's length, s: for books that want every one.
   std::function<void(const State&, double)> afterPart = {};
+  PaperSettings paper = {};  ///< what the `paper` profile adds to the published step
 };
 
 /// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/core/NoticeSentences.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "editor/core/Sentences.h"
+
+namespace glenoid {
+namespace {
+
+struct NoticeSentences {
+  Q_DECLARE_TR_FUNCTIONS(glenoid::NoticeSentences)
+ public:
+  static QString of(const UnusedSetting& unused);
+  static QString of(const Notice& notice);
+  static QString departure(const QString& word);
+};
+
+QString words(const std::string& id) { return QString::fromStdString(id); }
+QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'g', 3); }
+QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
+
+QString NoticeSentences::of(const UnusedSetting& unused) {
+  switch (unused.why) {
+    case UnusedSetting::Why::NotBuilt:
+      return tr("The effect “%1” is switched on, but no version has it yet: it does nothing.").arg(effectName(unused.name));
+    case UnusedSetting::Why::Seed:
+      return tr("The seed %1 changes nothing, since nothing in this version is drawn at random.").arg(words(unused.name));
+  }
+  return {};
+}
+
+// One case for each kind and no default: the compiler names the one that is missing. The forms of arg() with several
+// texts leave a “%1” in a name alone.
+QString NoticeSentences::of(const Notice& n) {
+  const QString subject = words(n.subject), other = words(n.other), time = number(n.time, 4);
+  switch (n.kind) {
+    case NoticeKind::UnusedSetting: return of(n.unused);
+    case NoticeKind::EffectIdle:
+      return tr("The effect “%1” is switched on, but the scene holds nothing for it to act on.").arg(effectName(n.subject));
+    case NoticeKind::TooDeep:
+      return tr("“%1” and “%2” lay %3 mm deep in each other at %4 s, beyond the limit of %5 mm: what the run says after that is "
+                "not to be trusted.")
+          .arg(subject, other, millimetres(n.figure), time, millimetres(n.limit));
+    case NoticeKind::TornAway:
+      return tr("“%1” was carried %2 mm away by step %3 (%4 s), many times its own size of %5 mm: nothing holds it against its "
+                "loads.")
+          .arg(subject, millimetres(n.figure), QString::number(n.step), time, millimetres(n.limit));
+    case NoticeKind::Overstretched:
+      return tr("“%1” was stretched to %2 times its length by step %3 (%4 s), where any tissue is torn: its loads are too large or "
+                "its material is too soft.")
+          .arg(subject, number(n.figure), QString::number(n.step), time);
+    case NoticeKind::MarkMissed:
+      return tr("The mark “%1” (%2) was missed: nothing pressed with 1 N while it lasted, at steps of %3 ms.")
+          .arg(subject, other, number(n.figure * 1e3));
+    case NoticeKind::PathCut:
+      return tr("The steps are too long for the recording: the hand of “%1” passes its path at %2 s by %3 mm, and contact begins at "
+                "%4 mm.")
+          .arg(subject, time, millimetres(n.figure), millimetres(n.limit));
+  }
+  return {};
+}
+
+QString NoticeSentences::departure(const QString& word) {
+  if (word == u"tension") return tr("the stiffness of taut tissue against turning is in A");
+  if (word == u"recovery-cap") return tr("the speed at which penetration is undone is capped");
+  if (word == u"parts") return tr("steps that turn too far are cut in parts");
+  if (word == u"search-again") return tr("contacts are looked for again along unforeseen motion");
+  if (word == u"explicit-b") return tr("B is kept as a matrix");
+  if (word == u"geometric-left-out") return tr("terms of turning levers are left out of ∂F/∂q");
+  if (word == u"springs-in-regions") return tr("couplings are springs at points of their regions");
+  return word;
+}
+
+}  // namespace
+
+QString sentenceOf(const UnusedSetting& unused) { return NoticeSentences::of(unused); }
+
+QString sentenceOf(const Notice& notice) { return NoticeSentences::of(notice); }
+
+QString paperDeparture(const std::string& word) { return NoticeSentences::departure(words(word)); }
+
+}  // namespace glenoid

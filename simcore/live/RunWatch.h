@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "simcore/live/RunReport.h"
+#include "simcore/scene/Recording.h"
+#include "simcore/step/Model.h"
+
+namespace glenoid {
+
+/// Looks after every step for what no load may do: carry a part away by many times its own size, or stretch tissue as no
+/// tissue stretches. Outside the step's time. The model must outlive it.
+class RunWatch {
+ public:
+  static constexpr double kSizesAway = 10;    ///< a part's middle went that many of its sizes (diagonal of its box at rest)
+  static constexpr double kStretchMost = 3;   ///< an edge of a tetrahedron over its length at rest; tendons tear at 1.1, muscle below 2
+
+  explicit RunWatch(const Model& model);
+  void look(const State& state);
+  const std::vector<Notice>& notices() const { return m_notices; }  ///< one of each kind for a part, in the order they came
+
+ private:
+  struct Watched {
+    int object;
+    Vec3 start_W;   ///< middle at the start
+    double size;    ///< m
+    std::vector<std::array<int, 2>> edges;  ///< soft: of its tetrahedra
+    std::vector<double> longest2;           ///< square of kStretchMost lengths at rest
+    bool away = false, stretched = false;
+  };
+  const Model& m_model;
+  std::vector<Watched> m_watched;
+  std::vector<Notice> m_notices;
+};
+
+/// What is known before a run, from the plan of its model: wishes that do nothing, effects with nothing to act on, and a
+/// recording whose path Δt cuts short by more than the contact distance within the first `seconds`.
+std::vector<Notice> noticesBefore(const Model& model, const Recording* input, double seconds);
+
+/// Marks that the run covers and during whose whole length the net contact force on what they name stayed below 1 N: what
+/// they were recorded for did not happen. Nothing where contact is off or a mark names neither tool nor part.
+std::vector<Notice> missedMarks(const RunReport& report);
+
+}  // namespace glenoid

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glenoid {
+
+/// What the `paper` profile adds to the step as published, each off unless it is asked for. The other profiles always
+/// have all of them.
+/// Source: Otaduy et al., "Modeling and Simulation of a Human Shoulder", CEIG 2010, §5.
+struct PaperSettings {
+  bool tension = false;      ///< the stiffness of taut tissue against turning, in A (fem/README)
+  bool recoveryCap = false;  ///< c cut to the scenario's recoverySpeedMax; as published c = −g/Δt whatever the depth
+  bool parts = false;        ///< a step that turns too far is cut in up to 64
+  bool searchAgain = false;  ///< contacts are looked for anew where the solve moves something unforeseen
+
+  static PaperSettings all() { return {true, true, true, true}; }
+};
+
+/// The member of a word ("tension", "recovery-cap", "parts", "search-again"); null for another word.
+bool* paperSetting(PaperSettings& settings, const std::string& word);
+
+/// Words of all departures of a `paper` step from the publication: those that are on, then those that have no switch.
+///   "explicit-b"           B = J D⁻¹ Jᵀ is kept as a matrix; the publication visits object by object. The same sums.
+///   "geometric-left-out"   of ∂F/∂q what comes of turning levers and rotations, which may make A indefinite
+///   "springs-in-regions"   couplings are springs at integration points of a region, as in all profiles, not at nodes
+std::vector<std::string> paperDepartures(const PaperSettings& settings);
+
+}  // namespace glenoid
