@@ -148,7 +148,11 @@ Result<Done> run(const Wishes& wishes) {
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);
   for (const Notice& notice : result->report.notices)
-    if (notice.kind == NoticeKind::TooDeep) return Error{Fault::CheckFailed, {}, {sentenceOf(notice).toStdString()}, "run --fail-depth"};
+    if (notice.kind == NoticeKind::TooDeep) {
+      QString sentence = sentenceOf(notice);
+      sentence.chop(1);  // the error's own sentence ends it
+      return Error{Fault::CheckFailed, {}, {sentence.toStdString()}, "run --fail-depth"};
+    }
   return Done{};
 }
 

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "editor/core/NoticeSentences.h"
 #include "simcore/check/FixProblem.h"
 #include "tests/scenes/BlockScenes.h"
 
@@ -59,6 +60,19 @@ TEST(ProblemSentences, namesAndLengthsAreForPeople) {
   const std::string sentence = sentenceOf(sample(ProblemKind::Overlap), joint).toStdString();
   EXPECT_NE(sentence.find("“Block with %1 in it”"), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("50 mm"), std::string::npos) << sentence;
+}
+
+TEST(NoticeSentences, everyKindHasItsOwnSentenceAndNoHoleInIt) {
+  std::set<QString> seen;
+  for (int i = 0; i < kNoticeKindCount; ++i) {
+    Notice notice{static_cast<NoticeKind>(i), "a %2 thing", "plate", 0.0015, 0.001, 0.25, 50, {}};
+    const QString sentence = sentenceOf(notice);
+    EXPECT_GT(sentence.size(), 20) << i;
+    EXPECT_EQ(sentence.back(), u'.') << sentence.toStdString();
+    EXPECT_FALSE(sentence.contains(u"%1") || sentence.contains(u"%3") || sentence.contains(u"%4") || sentence.contains(u"%5")) << sentence.toStdString();
+    EXPECT_TRUE(seen.insert(sentence).second) << sentence.toStdString();
+  }
+  EXPECT_NE(sentenceOf(Notice{NoticeKind::TooDeep, "a %2 thing", "plate", 0.0015, 0.001, 0.25, 50, {}}).indexOf(u"1.5 mm deep"), -1);
 }
 
 }  // namespace

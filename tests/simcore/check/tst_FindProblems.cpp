@@ -47,6 +47,18 @@ TEST(FindProblems, everyKindHasItsOwnName) {
   }
 }
 
+TEST(FindProblems, wishesOfTheScenarioThatDoNothingAreWarnings) {
+  const Joint joint = soundJoint();
+  Scenario scenario;
+  EXPECT_FALSE(has(findProblems(joint, &scenario), ProblemKind::SettingUnused));
+  scenario.effects.selfContact = Wish::On;
+  scenario.seed = 3;
+  const auto problems = findProblems(joint, &scenario);
+  EXPECT_EQ(std::count_if(problems.begin(), problems.end(), [](const Problem& p) { return p.kind == ProblemKind::SettingUnused; }), 2);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->severity, Severity::Warning);
+  EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->unused->name, "selfContact");
+}
+
 TEST(FindProblems, aJointInMillimetresAndOnePartAmongMetres) {
   Joint joint = soundJoint();
   for (Part& part : joint.parts) {
