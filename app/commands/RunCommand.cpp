@@ -9,6 +9,7 @@
 #include "app/commands/Outcome.h"
 #include "app/commands/Picture.h"
 #include "simcore/file/AtomicWrite.h"
+#include "simcore/file/Json.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
 #include "simcore/reading/Tissue.h"
