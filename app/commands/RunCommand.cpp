@@ -10,6 +10,7 @@
 #include "app/commands/Picture.h"
 #include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
+#include "simcore/file/Json.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
 #include "simcore/reading/Tissue.h"
