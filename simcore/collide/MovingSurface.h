@@ -21,6 +21,7 @@ enum class FeatureKind { Face, Edge, Vertex };
 class MovingSurface {
  public:
   explicit MovingSurface(std::shared_ptr<const CollisionSurface> topology);
+  static constexpr int kMotionsMost = 8;
 
   /// Boxes reach margin = contactDistance / 2 + min(speed · dt, ahead()) beyond their triangle, with the largest speed
   /// of any motion against the surface's own drift in it. An empty motion is rest. The spans must outlive the queries.
@@ -118,8 +119,8 @@ class MovingSurface {
   std::shared_ptr<const CollisionSurface> m_topology;
   BoxTree m_tree;
   std::span<const Vec3> m_x;
-  std::array<std::span<const Vec3>, 4> m_v;  ///< by motion
-  std::array<Vec3, 4> m_drift;               ///< by motion
+  std::array<std::span<const Vec3>, kMotionsMost> m_v;  ///< by motion
+  std::array<Vec3, kMotionsMost> m_drift;               ///< by motion
   std::vector<double> m_speed;               ///< by vertex, against the drift, the largest of any motion
   std::vector<Vec3> m_faceNormal;
   std::vector<double> m_faceOffset, m_margin;

@@ -112,13 +112,19 @@ void PairSearch::trianglePair(int ta, int tb) {
     for (int j = 0; j < 3; ++j)
       if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
   }
-  if (meetable && overB.crosses() && overA.crosses() &&
+  if (meetable && overB.crosses() && overA.crosses() && !(liesIn(a, ia, b, tb) && liesIn(b, ib, a, ta)) &&
       trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
     for (int k = 0; k < 3; ++k) {
       suspect(m_a, ia[k]);
       suspect(m_b, ib[k]);
     }
   }
+}
+
+/// Whether a triangle lies in another's plane to within what touches. Faces that rest on each other do; nothing of them is
+/// inside, and exact predicates cost most where they say least.
+bool PairSearch::liesIn(const MovingSurface& surface, const std::array<int, 3>& corners, const MovingSurface& plane, int t) const {
+  return std::all_of(corners.begin(), corners.end(), [&](int v) { return std::abs(plane.height(t, surface.x(v))) <= m_touching; });
 }
 
 bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a,

@@ -44,6 +44,7 @@ class PairSearch {
   void prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners);
   BoxTree::Sweep sweepOf(const MovingSurface& a, const MovingSurface& b);
   void trianglePair(int ta, int tb);
+  bool liesIn(const MovingSurface& surface, const std::array<int, 3>& corners, const MovingSurface& plane, int t) const;
 
   // PairVertices.cpp
   void vertexNearTriangle(Side& mine, Side& other, int vertex, int triangle);

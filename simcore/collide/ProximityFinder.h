@@ -48,7 +48,7 @@ class ProximityFinder {
   const std::vector<Proximity>& findAlong(std::span<const std::span<const Vec3>> positions,
                                           std::span<const Motion> motions, double contactDistance, double dt,
                                           std::span<const LastNormal> last = {});
-  static constexpr int kMotionsMost = 4;
+  static constexpr int kMotionsMost = 8;
 
   const std::vector<CollisionPair>& pairs() const;
   const std::vector<std::shared_ptr<const CollisionSurface>>& surfaces() const;
