@@ -25,11 +25,8 @@ Scenario sample() {
   scenario.recoverySpeedMax = 0.2;
   scenario.holds = {{"humerus", 0, 40, 0.02, {true, false, true}, {false, true, true}}};
   scenario.loads = {{"humerus", Vec3(1, -20, 3), Vec3(0.1, 0, -0.2)}, {"humerus", Vec3(0, 1, 0), Vec3::Zero(), Vec3(0.1, 0, 1.0 / 3.0)}};
-  scenario.pressures = {{"cuff", "footprint", 1234.5}};
-  scenario.supports = {{"cuff", "footprint", {false, true, false}, 3e7, 0.03}};
-  scenario.motions = {{"humerus",
-                       {0.1, 0, 0.2},
-                       {{0.5, {0, 0.1, 0}, Quat::Identity()}, {1.5, {0, 0.2, 0}, Quat(Eigen::AngleAxisd(0.4, Vec3(3, 1, 2).normalized()))}}}};
+  scenario.pressures = {{"cuff", "insertion", 1234.5}};
+  scenario.supports = {{"cuff", "insertion", {false, true, false}, 3e7, 0.03}};
   Tool probe;
   probe.id = "probe";
   probe.name = "Probe";
@@ -119,10 +116,15 @@ Error faultOf(const std::string& path) {
 
 TEST(ScenarioFile, whatIsSavedComesBack) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(saveScenario(sample(), folder.path("a.scenario.json")).ok());
+  Scenario scenario = sample();
+  scenario.fixedParts = {"humerus"};
+  scenario.motions = {{"humerus",
+                       {0.1, 0, 0.2},
+                       {{0.5, {0, 0.1, 0}, Quat::Identity()}, {1.5, {0, 0.2, 0}, Quat(Eigen::AngleAxisd(0.4, Vec3(3, 1, 2).normalized()))}}}};
+  ASSERT_TRUE(saveScenario(scenario, folder.path("a.scenario.json")).ok());
   const auto back = loadScenario(folder.path("a.scenario.json"));
   ASSERT_TRUE(back.ok()) << toLogLine(back.error());
-  expectSame(*back, sample());
+  expectSame(*back, scenario);
 }
 
 TEST(ScenarioFile, whatIsNotSaidKeepsItsDefault) {
@@ -315,6 +317,13 @@ TEST(ScenarioFile, referencesIntoTheJoint) {
       {[](Scenario& s) { s.loads[0].part = "cuff"; }, Fault::BadReference, "/loads/0/part", {"cuff"}},
       {[](Scenario& s) { s.holds[0].part = "cuff"; }, Fault::BadReference, "/holds/0/part", {"cuff"}},
       {[](Scenario& s) { s.fixedParts = {"humerus"}; }, Fault::BadReference, "/holds/0/part", {"humerus"}},
+      {[](Scenario& s) { s.pressures[0].region = "belly"; }, Fault::UnknownId, "/pressures/0/region", {"belly", "region"}},
+      {[](Scenario& s) { s.supports[0].part = "ulna"; }, Fault::UnknownId, "/supports/0/part", {"ulna", "part"}},
+      {[](Scenario& s) { s.fixedParts = {"cuff"}; }, Fault::BadReference, "/pressures/0/part", {"cuff"}},
+      {[](Scenario& s) { s.motions = {{"cuff", Vec3::Zero(), {{0, Vec3::Zero(), Quat::Identity()}}}}; },
+       Fault::Unusable,
+       "/motions/0/part",
+       {"a motion of a part that is not among fixedParts"}},
       {[](Scenario& s) { s.tools[1].perforates = {"skin"}; },
        Fault::UnknownId,
        "/tools/1/perforates/0",
