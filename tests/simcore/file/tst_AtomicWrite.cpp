@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+
+#include <filesystem>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -73,6 +75,20 @@ TEST(AtomicWrite, writingSaysWhy) {
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().fault, Fault::FileMissing);
   const auto aFolder = writeWholeFile(folder.path(), "a");
+  ASSERT_FALSE(aFolder.ok());
+  EXPECT_EQ(aFolder.error().fault, Fault::FileUnwritable);
+}
+
+TEST(AtomicWrite, whetherItWouldGoIsSaidBeforehandAndLeavesNothing) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(checkWritable(folder.path("new")).ok());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  folder.put("old", "kept");
+  EXPECT_TRUE(checkWritable(folder.path("old")).ok());
+  EXPECT_EQ(folder.get("old"), "kept");
+  const auto missing = checkWritable(folder.path("nowhere/x")), aFolder = checkWritable(folder.path());
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().fault, Fault::FileMissing);
   ASSERT_FALSE(aFolder.ok());
   EXPECT_EQ(aFolder.error().fault, Fault::FileUnwritable);
 }

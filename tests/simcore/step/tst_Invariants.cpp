@@ -199,5 +199,24 @@ TEST(Invariants, aWarmStepAllocatesNothing) {
   }
 }
 
+TEST(Invariants, whatActsOnPartsAllocatesNothing) {
+  if (!test::heapIsCounted()) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
+  Joint joint = scenes::blockOnPlateJoint();
+  Part& block = joint.parts[1];
+  block.regions = {scenes::regionIn(block, "side", Box3(Vec3(-0.02 - 1e-6, -1, -1), Vec3(-0.02 + 1e-6, 1, 1)))};
+  Scenario scenario = scenes::blockOnPlateScenario();
+  scenario.loads = {{"block", Vec3(0.01, 0, 0), Vec3::Zero(), Vec3(0, 0.02, 0)}, {"block", Vec3(0, 0, 0.01), Vec3::Zero(), {}}};
+  scenario.pressures = {{"block", "side", 20}};
+  scenario.supports = {{"block", "side", {true, false, false}, 1e6}};
+  scenario.motions = {{"plate", Vec3::Zero(), {{0, Vec3::Zero(), Quat::Identity()}, {10, Vec3(0, 0.05, 0), Quat(Eigen::AngleAxisd(0.2, Vec3::UnitY()))}}}};
+  const auto model = compileModel(joint, scenario).value();
+  State state = model->start;
+  Stepper stepper(model, {});
+  for (int i = 0; i < 400; ++i) stepper.step({}, state);  // what meets on the turning plate changes, and the most has been seen
+  const long before = test::heapAllocations();
+  for (int i = 0; i < 250; ++i) stepper.step({}, state);
+  EXPECT_EQ(test::heapAllocations() - before, 0);
+}
+
 }  // namespace
 }  // namespace glenoid
