@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "simcore/base/PlainMath.h"
+
 namespace glenoid {
 
 namespace {
@@ -23,7 +25,7 @@ TriMesh layerUnder(const TriMesh& surface, const std::vector<int>& triangles, do
       const Vec3 a = surface.vertices[corner[(i + 1) % 3]] - surface.vertices[corner[i]],
                  b = surface.vertices[corner[(i + 2) % 3]] - surface.vertices[corner[i]];
       const Vec3 area = a.cross(b);
-      if (area.norm() > 0) normals[index[corner[i]] / 2] += std::atan2(area.norm(), a.dot(b)) * area.normalized();
+      if (area.norm() > 0) normals[index[corner[i]] / 2] += plain::arcTangent(area.norm(), a.dot(b)) * area.normalized();
     }
   }
   layer.vertices.resize(2 * normals.size());

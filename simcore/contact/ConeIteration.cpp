@@ -18,7 +18,7 @@ void ConeIteration::setPenalty(double to) {
 
 double ConeIteration::slipShift(std::size_t c) const {
   const ContactUnknowns& contact = contacts[c];
-  return contact.tangential ? contact.friction * std::hypot(work.w[contact.row + 1], work.w[contact.row + 2]) : 0.0;
+  return contact.tangential ? contact.friction * work.w.segment<2>(contact.row + 1).norm() : 0.0;
 }
 
 void ConeIteration::project(VecX& lambda) const {

@@ -133,7 +133,7 @@ bool roundsOfConvex(ConeIteration& it, const ConeLimits& limits, LcpReport& repo
   for (std::size_t c = 0; c < it.contacts.size(); ++c) {
     // What slid in the last step slides on; what is new is not lifted by a slip that may end at once.
     const Vec3 last = rowsOf(it.contacts[c], work.lambda0);
-    const bool slid = last[0] > 0 && std::hypot(last[1], last[2]) > 0.99 * it.contacts[c].friction * last[0];
+    const bool slid = last[0] > 0 && std::sqrt(last[1] * last[1] + last[2] * last[2]) > 0.99 * it.contacts[c].friction * last[0];
     work.shift[c] = slid ? it.slipShift(c) : 0;
   }
   double before = 1e300, best = 1e300, lastStretch = 1e300, lastShift = 1e300;

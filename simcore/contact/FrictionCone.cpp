@@ -28,7 +28,7 @@ bool plain(const Vec3& z, double mu, double length, ConePoint& point) {
 
 ConePoint ontoCone(const Vec3& z, double mu) {
   ConePoint point;
-  const double length = std::hypot(z[1], z[2]);
+  const double length = std::sqrt(z[1] * z[1] + z[2] * z[2]);
   if (plain(z, mu, length, point)) return point;
   const double n = (z[0] + mu * length) / (1 + mu * mu);
   if (!(n > 0)) return point;  // length is not zero: z[0] ≥ 0 would be inside
@@ -42,7 +42,7 @@ ConePoint ontoCone(const Vec3& z, double mu) {
 
 ConePoint ontoDisk(const Vec3& z, double mu) {
   ConePoint point;
-  const double length = std::hypot(z[1], z[2]);
+  const double length = std::sqrt(z[1] * z[1] + z[2] * z[2]);
   if (plain(z, mu, length, point) || !(z[0] > 0)) return point;
   point.along = z.tail<2>() / length;
   point.drag = mu;

@@ -38,7 +38,7 @@ void solveShifted(const std::function<void(const VecX& x, VecX& Tx)>& apply, int
       H(j + 1, k) = cosine[j] * H(j + 1, k) - sine[j] * H(j, k);
       H(j, k) = upper;
     }
-    const double radius = std::hypot(H(k, k), length);
+    const double radius = std::sqrt(H(k, k) * H(k, k) + length * length);
     if (!(radius > 0)) break;
     cosine[k] = H(k, k) / radius;
     sine[k] = length / radius;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/embed/Bind.h"
 
 namespace glenoid {
@@ -51,7 +52,7 @@ void takeCells(const Part* part, std::span<const Vec3> points, std::vector<doubl
   if (!part || part->kind != PartKind::Soft || !part->volume || part->volume->tets.empty()) return;
   const std::vector<int> tets = tetsOf(*part->volume, points);
   for (std::size_t i = 0; i < points.size(); ++i)
-    edges[i] = std::min(edges[i], std::cbrt(6 * std::abs(tetVolume(*part->volume, tets[i]))));
+    edges[i] = std::min(edges[i], plain::cubeRoot(6 * std::abs(tetVolume(*part->volume, tets[i]))));
 }
 
 std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, const Part* other) {

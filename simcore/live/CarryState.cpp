@@ -141,11 +141,12 @@ void carryImpulses(const Model& from, const State& old, const Model& to, const s
       const auto found = films->find(FeatureKey::idA(impulse.key));
       if (found == films->end()) continue;
       carried.impulses.push_back({FeatureKey::make(FeatureKey::kFilm, FeatureKind::Vertex, found->second, FeatureKind::Face, 0),
-                                  impulse.value, impulse.friction_W});
+                                  impulse.value, impulse.friction_W, impulse.normal_W});
     } else if (pair < static_cast<int>(names.size()) && names[pair].pair >= 0) {
       const bool swapped = names[pair].swapped;  // friction is what a feels
       carried.impulses.push_back({FeatureKey::renamed(impulse.key, names[pair].pair, swapped), impulse.value,
-                                  swapped ? Vec3(-impulse.friction_W) : impulse.friction_W});
+                                  swapped ? Vec3(-impulse.friction_W) : impulse.friction_W,
+                                  swapped ? Vec3(-impulse.normal_W) : impulse.normal_W});
     }
   }
   std::sort(carried.impulses.begin(), carried.impulses.end(),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "simcore/base/Turns.h"
+
 namespace glenoid {
 
 int findTool(const Scenario& scenario, const std::string& id) {
@@ -20,7 +22,7 @@ Pose motionAt(const Motion& motion, double time) {
   if (after != motion.keys.begin() && after != motion.keys.end()) {
     const double s = (time - now.time) / (after->time - now.time);
     now.displacement_W += s * (after->displacement_W - now.displacement_W);
-    now.turn_W = now.turn_W.slerp(s, after->turn_W);
+    now.turn_W = turnTowards(now.turn_W, after->turn_W, s);
   }
   return {motion.centre_W + now.displacement_W - now.turn_W * motion.centre_W, now.turn_W};
 }

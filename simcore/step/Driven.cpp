@@ -3,6 +3,7 @@
 // start of a step and the steady velocity that takes them to where they are at its end.
 #include <cmath>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/step/Actions.h"
 #include "simcore/step/StepWork.h"
 
@@ -23,7 +24,7 @@ Twist twistOf(const Motion& motion, double begin, double end) {
   Quat turn = to.q_WB * from.q_WB.conjugate();
   if (turn.w() < 0) turn.coeffs() *= -1;  // the short way round
   const double sine = turn.vec().norm();
-  const Vec3 angle = sine > 1e-12 ? Vec3(2 * std::atan2(sine, turn.w()) / sine * turn.vec()) : Vec3(2 * turn.vec());
+  const Vec3 angle = sine > 1e-12 ? Vec3(2 * plain::arcTangent(sine, turn.w()) / sine * turn.vec()) : Vec3(2 * turn.vec());
   Twist twist;
   twist.at_W = from * motion.centre_W;
   twist.linear_W = (to * motion.centre_W - twist.at_W) / (end - begin);

@@ -86,7 +86,7 @@ TEST(ShoulderLadder, everyContactOfAWholeRunIsComplementary) {
   std::printf("worst complementarity %.1e m/s, at most %d contacts, %d active over all steps\n", worst, most,
               active);
   EXPECT_LT(worst, 1e-11);
-  EXPECT_GT(most, 60);
+  EXPECT_GT(most, 40);  // rows are local minima of distance, not all that is near
   EXPECT_GT(active, 500);
   EXPECT_GT(judged, 1900);
 }
