@@ -13,9 +13,6 @@
 namespace glenoid {
 namespace {
 
-/// Cosine of the angle between the faces beside an edge above which it is sharp.
-constexpr double kSharp = 0.866;
-
 BoxTree restTree(const CollisionSurface& surface) {
   std::vector<Box3> boxes(surface.triangles.size());
   for (std::size_t t = 0; t < boxes.size(); ++t) {
@@ -110,15 +107,13 @@ void MovingSurface::update(std::span<const Vec3> positions, std::span<const std:
     const Vec3 away = m_x[edge.opposite[1]] - m_x[edge.vertices[0]];
     const double above = m_faceNormal[edge.triangles[0]].dot(away);
     const bool convex = above < 0 && above * above > 1e-6 * away.squaredNorm();
-    const bool sharp = convex && m_faceNormal[edge.triangles[0]].dot(m_faceNormal[edge.triangles[1]]) < kSharp;
-    m_bend[e] = sharp ? Bend::Sharp : convex ? Bend::Convex : s.deforms ? Bend::Dentable : Bend::None;
+    m_bend[e] = convex ? Bend::Convex : s.deforms ? Bend::Dentable : Bend::None;
   }
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
     Bends& bends = m_bends[t] = {};
     for (int k = 0; k < 3; ++k) {
       const Bend bend = m_bend[s.triangleEdges[t][k]];
-      bends.convex |= static_cast<std::uint8_t>((bend >= Bend::Convex) << k);
-      bends.sharp |= static_cast<std::uint8_t>((bend == Bend::Sharp) << k);
+      bends.convex |= static_cast<std::uint8_t>((bend == Bend::Convex) << k);
       bends.dentable |= static_cast<std::uint8_t>((bend == Bend::Dentable) << k);
     }
   }

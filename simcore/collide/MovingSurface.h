@@ -57,14 +57,13 @@ class MovingSurface {
   const Lanes& lanes(int triangle) const { return m_lanes[triangle]; }
   /// Bound on what single precision does to a height over a plane and to a coordinate, m.
   float laneSlack() const { return m_laneSlack; }
-  /// How the faces beside an edge bend away from it. Convex: by more than about 0.06°; sharp: by more than 30°.
+  /// How the faces beside an edge bend away from it. Convex: by more than about 0.06°.
   /// Dentable: neither, and the surface deforms. The rest, open edges too, plays no part of its own.
-  enum class Bend : std::uint8_t { None, Dentable, Convex, Sharp };
+  enum class Bend : std::uint8_t { None, Dentable, Convex };
   Bend bend(int edge) const { return m_bend[edge]; }
   /// Bit k is of the triangle's edge k.
   struct Bends {
-    std::uint8_t convex = 0;  ///< sharp ones too
-    std::uint8_t sharp = 0, dentable = 0;
+    std::uint8_t convex = 0, dentable = 0;
   };
   const Bends& bends(int triangle) const { return m_bends[triangle]; }
 

@@ -88,9 +88,8 @@ void PairSearch::trianglePair(int ta, int tb) {
   const float slack = 2 * std::max(a.laneSlack(), b.laneSlack());
   const MovingSurface::Bends &bendsA = a.bends(ta), &bendsB = b.bends(tb);
   const int convexA = ownA >> 3 & bendsA.convex, convexB = ownB >> 3 & bendsB.convex;
-  const int sharpA = convexA & bendsA.sharp, sharpB = convexB & bendsB.sharp;
   const int softA = ownA >> 3 & bendsA.dentable, softB = ownB >> 3 & bendsB.dentable;
-  const bool edges = (convexA && convexB) || (sharpA && softB) || (softA && sharpB);
+  const bool edges = (convexA && (convexB || softB)) || (softA && convexB);
   const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
                                     static_cast<float>(margins) - slack);
   if (!meetable && !((ownA | ownB) & 7) && !edges) return;
@@ -107,7 +106,7 @@ void PairSearch::trianglePair(int ta, int tb) {
     if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
   }
   for (int i = 0; i < 3 && edges; ++i) {
-    const int partners = ((convexA >> i & 1) ? convexB : 0) | ((sharpA >> i & 1) ? softB : 0) | ((softA >> i & 1) ? sharpB : 0);
+    const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
       if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);

@@ -239,11 +239,11 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
   vertices(b, a, false);
 
   // How the two faces beside an edge bend, and whether they bound a plane with the normal n through it.
-  enum class Bend { Flat, Convex, Sharp };
+  enum class Bend { Flat, Convex };
   const auto bendOf = [](const Mesh& m, const std::array<int, 2>& edge, const std::vector<int>& triangles) {
     const Vec3 away = m.x(m.opposite(triangles[1], edge)) - m.x(edge[0]);
     if (m.normal(triangles[0]).dot(away) >= -1e-3 * away.norm()) return Bend::Flat;
-    return m.normal(triangles[0]).dot(m.normal(triangles[1])) < 0.866 ? Bend::Sharp : Bend::Convex;
+    return Bend::Convex;
   };
   const auto steepest = [](const Mesh& m, const std::vector<int>& triangles, const Vec3& n) {
     return std::min(m.normal(triangles[0]).dot(n), m.normal(triangles[1]).dot(n));
@@ -263,8 +263,8 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
     for (const auto& [eb, tb] : b.edges) {
       const Bend bendB = bendOf(b, eb, tb);
       const bool bothConvex = bendA != Bend::Flat && bendB != Bend::Flat;
-      const bool dents = (bendA == Bend::Sharp && bendB == Bend::Flat && deforms[1]) ||
-                         (bendB == Bend::Sharp && bendA == Bend::Flat && deforms[0]);
+      const bool dents = (bendA == Bend::Convex && bendB == Bend::Flat && deforms[1]) ||
+                         (bendB == Bend::Convex && bendA == Bend::Flat && deforms[0]);
       if (!bothConvex && !dents) continue;
       const Vec3 da = a.x(ea[1]) - a.x(ea[0]), db = b.x(eb[1]) - b.x(eb[0]);
       if (da.cross(db).norm() <= 1e-3 * da.norm() * db.norm()) continue;
