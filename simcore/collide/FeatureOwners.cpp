@@ -7,7 +7,7 @@ FeatureOwners assignOwners(const CollisionSurface& surface, const std::vector<ch
   FeatureOwners owners;
   owners.ofTriangle.assign(surface.triangles.size(), 0);
   owners.vertexTakesPart.assign(surface.vertexCount, 0);
-  std::vector<char> edgeTaken(surface.edges.size(), 0);
+  owners.edgeTakesPart.assign(surface.edges.size(), 0);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if ((t < skip.size() && skip[t]) || surface.empty[t]) {
       owners.ofTriangle[t] = FeatureOwners::kSkipped;
@@ -16,8 +16,8 @@ FeatureOwners assignOwners(const CollisionSurface& surface, const std::vector<ch
     for (int k = 0; k < 3; ++k) {
       const int v = surface.triangles[t][k], e = surface.triangleEdges[t][k];
       if (!owners.vertexTakesPart[v]) owners.ofTriangle[t] |= std::uint8_t(1 << k);
-      if (!edgeTaken[e]) owners.ofTriangle[t] |= std::uint8_t(8 << k);
-      owners.vertexTakesPart[v] = edgeTaken[e] = 1;
+      if (!owners.edgeTakesPart[e]) owners.ofTriangle[t] |= std::uint8_t(8 << k);
+      owners.vertexTakesPart[v] = owners.edgeTakesPart[e] = 1;
       if (owners.anyVertex < 0) owners.anyVertex = v;
     }
   }

@@ -44,12 +44,12 @@ Vec3 nearestBetween(const Vec3& a, const Vec3& b, const Vec3& last) {
 
 }  // namespace
 
-void NormalCone::take(MovingSurface& surface, const MovingSurface::Feature& feature) {
+void NormalCone::take(MovingSurface& surface, const MovingSurface::Feature& feature, const FeatureOwners& owners) {
   const CollisionSurface& s = surface.topology();
   normals.clear();
   ways.clear();
   const auto addNormal = [&](int triangle) {
-    if (triangle >= 0 && surface.hasFace(triangle)) normals.push_back(surface.faceNormal(triangle));
+    if (!owners.skipped(triangle) && surface.hasFace(triangle)) normals.push_back(surface.faceNormal(triangle));
   };
   const auto addWay = [&](const Vec3& way) {
     const double length = way.norm();
@@ -74,7 +74,7 @@ void NormalCone::take(MovingSurface& surface, const MovingSurface::Feature& feat
       addWay(along);
       addWay(-along);
       for (int k = 0; k < 2; ++k) {
-        if (edge.opposite[k] < 0) continue;
+        if (edge.triangles[k] < 0 || owners.skipped(edge.triangles[k])) continue;
         addNormal(edge.triangles[k]);
         const Vec3 across = surface.x(edge.opposite[k]) - on;
         addWay(across - across.dot(along) / along.squaredNorm() * along);
@@ -84,6 +84,7 @@ void NormalCone::take(MovingSurface& surface, const MovingSurface::Feature& feat
     case FeatureKind::Vertex:
       for (const int t : s.trianglesOf(feature.id)) addNormal(t);
       for (const int e : s.edgesOf(feature.id)) {
+        if (!owners.edgeTakesPart[e]) continue;
         const auto& ends = s.edges[e].vertices;
         addWay(surface.x(ends[0] == feature.id ? ends[1] : ends[0]) - surface.x(feature.id));
       }

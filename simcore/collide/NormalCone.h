@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "simcore/collide/FeatureOwners.h"
 #include "simcore/collide/MovingSurface.h"
 
 namespace glenoid {
@@ -15,7 +16,8 @@ struct NormalCone {
   std::vector<Vec3> normals;  ///< unit normals of the faces at the feature: its corners where it is convex
   std::vector<Vec3> ways;     ///< unit vectors along and into the body from the feature: none may rise over the plane
 
-  void take(MovingSurface& surface, const MovingSurface::Feature& feature);
+  /// Of the triangles that are not skipped.
+  void take(MovingSurface& surface, const MovingSurface::Feature& feature, const FeatureOwners& owners);
   /// Sine of the angle by which a unit normal leaves the cone; not above zero inside it.
   double beyond(const Vec3& normal) const;
 };

@@ -28,13 +28,20 @@ double wedgeDepth(const MovingSurface& surface, int e, const Vec3& n) {
 
 /// Whether a plane with the unit normal n, at right angles to the edge, is one that the edge's surface stays under
 /// nearby: n lies in the arc between the normals of a convex edge, widened, now or as its faces will have turned by the
-/// end of the step; or is close to both normals of a flat edge or a shallow valley.
-bool PairSearch::facesAlong(const MovingSurface& surface, int e, const Vec3& n) const {
+/// end of the step; or is close to both normals of a flat edge or a shallow valley. A skipped face sets no bound, but for
+/// the side on which the surface lies.
+bool PairSearch::facesAlong(const Side& side, int e, const Vec3& n) const {
+  MovingSurface& surface = *side.surface;
   const CollisionSurface::Edge& edge = surface.topology().edges[e];
   if (surface.bend(e) == MovingSurface::Bend::Dentable) return wedgeDepth(surface, e, n) > kAlmostFlat;
   const Vec3 &on = surface.x(edge.vertices[0]), along = surface.x(edge.vertices[1]) - on;
   const double length = along.norm();
-  for (const int v : edge.opposite) {
+  for (int k = 0; k < 2; ++k) {
+    if (side.owners->skipped(edge.triangles[k])) {
+      if (n.dot(surface.edgeNormal(e)) <= 0) return false;
+      continue;
+    }
+    const int v = edge.opposite[k];
     const Vec3 across = surface.x(v) - on;
     double above = n.dot(across);
     const double allowed = kWidened * across.cross(along).norm() / length;
@@ -68,7 +75,7 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
   const double gap = -n.dot(between);
   if (gap < -m_edgeDepth) return;
-  if (!facesAlong(b, eb, n) || !facesAlong(a, ea, -n)) return;
+  if (!facesAlong(m_b, eb, n) || !facesAlong(m_a, ea, -n)) return;
 
   Proximity contact;
   contact.pair = m_settings.pair;

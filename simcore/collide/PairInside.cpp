@@ -24,6 +24,7 @@ double PairSearch::leavesCone(Side& mine, int vertex, const Vec3& outward) {
   MovingSurface& surface = *mine.surface;
   double most = outward.dot(surface.vertexNormal(vertex).stableNormalized());
   for (const int e : surface.topology().edgesOf(vertex)) {
+    if (!mine.owners->edgeTakesPart[e]) continue;
     const auto& ends = surface.topology().edges[e].vertices;
     const Vec3 way = surface.x(ends[0] == vertex ? ends[1] : ends[0]) - surface.x(vertex);
     const double length = way.norm();

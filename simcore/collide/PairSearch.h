@@ -52,7 +52,7 @@ class PairSearch {
                      const MovingSurface::Feature& feature, const Vec3& apart);
   void acrossValleys(Side& mine, Side& other, int vertex, int triangle);
   void emitPlane(Side& mine, Side& other, int vertex, int triangle, double sine);
-  bool nearestLocally(const MovingSurface& surface, const MovingSurface::Feature& feature, const Vec3& foot,
+  bool nearestLocally(const Side& side, const MovingSurface::Feature& feature, const Vec3& foot,
                       const Vec3& away) const;
   /// Whether the vertex is a nearest point of its own surface to what it meets along the unit vector `outward` from it
   /// (the normal of the other's triangle): −outward lies in its normal cone, now or as it will have turned by the end of
@@ -70,7 +70,7 @@ class PairSearch {
 
   // PairEdges.cpp
   void edgeNearEdge(int ea, int eb);
-  bool facesAlong(const MovingSurface& surface, int e, const Vec3& n) const;
+  bool facesAlong(const Side& side, int e, const Vec3& n) const;
   bool inDepth(Side& side, const Vec3& p, double depth);
 
   /// Whether points a of `first` and b of `second`, gap apart along the normal, come near in one of the motions.

@@ -33,14 +33,19 @@ bool leans(const Vec3& a, const Vec3& b, double sine) {
 }  // namespace
 
 /// Whether no point of the surface beside the feature is nearer than the foot, `away` being the way from it.
-bool PairSearch::nearestLocally(const MovingSurface& surface, const MovingSurface::Feature& feature,
-                                const Vec3& foot, const Vec3& away) const {
+bool PairSearch::nearestLocally(const Side& side, const MovingSurface::Feature& feature, const Vec3& foot,
+                                const Vec3& away) const {
+  const MovingSurface& surface = *side.surface;
   const CollisionSurface& s = surface.topology();
   if (feature.kind == FeatureKind::Edge) {
-    for (const int v : s.edges[feature.id].opposite)
-      if (v >= 0 && leans(away, surface.x(v) - foot, kRounding)) return false;
+    const CollisionSurface::Edge& edge = s.edges[feature.id];
+    for (int k = 0; k < 2; ++k)
+      if (edge.triangles[k] >= 0 && !side.owners->skipped(edge.triangles[k]) &&
+          leans(away, surface.x(edge.opposite[k]) - foot, kRounding))
+        return false;
   } else if (feature.kind == FeatureKind::Vertex) {
     for (const int e : s.edgesOf(feature.id)) {
+      if (!side.owners->edgeTakesPart[e]) continue;
       const auto& ends = s.edges[e].vertices;
       if (leans(away, surface.x(ends[0] == feature.id ? ends[1] : ends[0]) - foot, kRounding)) return false;
     }
@@ -56,6 +61,7 @@ bool PairSearch::facesItself(Side& mine, Side& other, int vertex, int triangle, 
   const Vec3& x = surface.x(vertex);
   double turn = -1;  // by how much the other's triangle may turn within the step, rad; worked out when it matters
   for (const int e : surface.topology().edgesOf(vertex)) {
+    if (!mine.owners->edgeTakesPart[e]) continue;
     const auto& ends = surface.topology().edges[e].vertices;
     const int y = ends[0] == vertex ? ends[1] : ends[0];
     const Vec3 way = surface.x(y) - x;
@@ -105,7 +111,7 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
   const int place = ids[0] == feature.id ? 0 : (ids[1] == feature.id ? 1 : 2);
   if (!(own >> (place + (feature.kind == FeatureKind::Edge ? 3 : 0)) & 1)) return;
   if (distance < m_touching) return vertexTouches(mine, other, vertex, triangle, w, feature, away);
-  if (!nearestLocally(surface, feature, foot, away)) return;
+  if (!nearestLocally(other, feature, foot, away)) return;
   if (away.dot(surface.normalOf(feature)) < 0) return suspect(mine, vertex);
   emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
 }
@@ -113,8 +119,8 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
 /// On an edge or a vertex of the other surface, to within rounding: the direction is one that both features allow.
 void PairSearch::vertexTouches(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                                const MovingSurface::Feature& feature, const Vec3& apart) {
-  m_cone.take(*other.surface, feature);
-  m_against.take(*mine.surface, {FeatureKind::Vertex, vertex});
+  m_cone.take(*other.surface, feature, *other.owners);
+  m_against.take(*mine.surface, {FeatureKind::Vertex, vertex}, *mine.owners);
   const Vec3* last = lastNormal(vertexKey(mine, vertex, feature));
   const Vec3 before = last ? Vec3(&mine == &m_a ? *last : -*last) : Vec3();
   const std::optional<Vec3> outward = sharedNormal(m_cone, m_against, kWidened, kOverlapped, last ? &before : nullptr);

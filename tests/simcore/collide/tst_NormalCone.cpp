@@ -28,7 +28,7 @@ struct Box {
   }
   NormalCone cone(FeatureKind kind, int id) {
     NormalCone result;
-    result.take(surface, {kind, id});
+    result.take(surface, {kind, id}, assignOwners(surface.topology(), {}));
     return result;
   }
   TriMesh mesh;

@@ -408,6 +408,29 @@ TEST(Proximity, skippedTrianglesTakeNoPart) {
   }
 }
 
+TEST(Proximity, whatIsSkippedDoesNotSayWhatIsNearest) {
+  // A tilted box whose low side hangs beside a slab: with its whole surface it meets the slab's rim, and the corners on
+  // the high side are no nearest points. Where the low side is skipped, as near a coupling, those corners carry it; both
+  // ways round, from outside and touching.
+  for (const double height : {0.0005, 0.0, -0.0002}) {
+    const TriMesh slab = box({-0.05, 0, -0.04}, {0.05, 0.03, 0.04});
+    TriMesh tilted = box({-0.01, 0, 0}, {0.013, 0.02, 0.03});
+    const Quat turn(Eigen::AngleAxisd(0.12, Vec3::UnitX()));
+    for (Vec3& v : tilted.vertices) v = turn * v + Vec3(0, 0.03 + height, 0.03);
+    std::vector<char> low(12, 0);
+    for (int t = 0; t < 12; ++t)
+      for (const int v : tilted.triangles[t]) low[t] |= tilted.vertices[v].z() > 0.05 && tilted.vertices[v].y() < 0.04;
+    CollisionScene scene = twoMeshes(tilted, slab), swapped = twoMeshes(slab, tilted);
+    if (height >= 0) EXPECT_EQ(count(scene.find(0.001), 1, 3), 0) << height;  // what is inside is pushed out anyway
+    scene.pairs[0].skipTriangleA = low;
+    swapped.pairs[0].skipTriangleB = low;
+    EXPECT_EQ(count(scene.find(0.001), 1, 3), 2) << height;
+    EXPECT_EQ(count(swapped.find(0.001), 3, 1), 2) << height;
+    for (const Proximity& contact : scene.find(0.001))
+      if (contact.a.count == 1) EXPECT_NEAR((contact.normal_W - Vec3::UnitY()).norm(), 0, 1e-12);
+  }
+}
+
 TEST(Proximity, swallowedSurfaceIsPushedOut) {
   // A pebble of 1 mm wholly inside a slab, 1.5 mm under its top: no triangles meet.
   const auto contacts =
