@@ -26,10 +26,10 @@ glenoid::Recording arthroscopy(const glenoid::Joint& joint, const glenoid::Scena
   constexpr double kBegin = 1.5;  // s: one second to settle, half a second that counts as rest
   const Vec3 front = Vec3(0.8, 0.3, 0.5).normalized(), behind = Vec3(-0.9, 0.1, 0.3).normalized();
   Recording recording = planPresses(joint, scenario, "probe",
-                                    {{"press-biceps-tendon", "biceps-tendon", "distal-end", 4e-3},
+                                    {{"press-biceps-tendon", "biceps-tendon", "distal-end", 7e-3},
                                      {"press-labrum", "labrum", "", 4e-3},
-                                     {"press-cuff", "subscapularis", "", 5e-3},
-                                     {"press-cartilage", "humerus", "head-cartilage", 4e-3}},
+                                     {"press-cuff", "subscapularis", "", 9e-3},
+                                     {"press-cartilage", "humerus", "head-cartilage", 8e-3}},
                                     front, kBegin);
   const PressTarget lean{"lean-on-cartilage", "humerus", "head-cartilage", 4e-3};
   Recording scope = planPresses(joint, scenario, "arthroscope", {lean, lean, lean, lean}, behind, kBegin);
