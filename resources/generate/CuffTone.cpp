@@ -3,13 +3,14 @@
 
 #include <cmath>
 
+#include "simcore/spatial/TriangleTree.h"
+
 namespace glenoid::generate {
 namespace {
 
 /// Where the two presses of a bend act: shares of the angle of the way round the head. Up to its footprint's end a muscle is
 /// bonded to the bone and cannot press on it.
 constexpr double kPresses[] = {1.0, 1.3};
-constexpr double kMiddle = 2.5e-3;  ///< m: the middle of a tendon lies so far from the bone
 
 Vec3 rounded(const Vec3& value, double unit) {
   return (value / unit).array().round().matrix() * unit;
@@ -37,6 +38,15 @@ Patch patchOf(const Joint& joint, const char* id, const char* regionId) {
   return patch;
 }
 
+/// The middle of a muscle's tissue on a ray from the head's centre.
+Vec3 middleOn(const TriangleTree& muscle, const Vec3& outward) {
+  constexpr double kBeyond = 1e-6;  // m
+  const auto inner = muscle.cast(Vec3::Zero(), outward);
+  if (!inner) return muscle.closest(outward * 0.03).point;
+  const auto outer = muscle.cast((inner->distance + kBeyond) * outward, outward);
+  return (inner->distance + (outer ? 0.5 * (outer->distance + kBeyond) : 0)) * outward;
+}
+
 void pull(const Joint& joint, const char* muscle, double force, std::vector<Load>& loads) {
   const Vec3 insertion = patchOf(joint, muscle, "insertion").middle, origin = patchOf(joint, muscle, "origin").middle;
   const double radius = insertion.norm();
@@ -44,10 +54,11 @@ void pull(const Joint& joint, const char* muscle, double force, std::vector<Load
   const double bend = std::atan2(origin.dot(on), origin.dot(up)) - std::acos(radius / origin.norm());
   const auto outward = [&](double angle) { return Vec3(std::cos(angle) * up + std::sin(angle) * on); };
   const auto tangent = [&](double angle) { return Vec3(std::cos(angle) * on - std::sin(angle) * up); };
+  const TriangleTree tissue(*joint.parts[findPart(joint, muscle)].visual);
   loads.push_back({"humerus", rounded(force * tangent(0), 1e-3), Vec3::Zero(), rounded(insertion, 1e-4)});
   for (int k = 0; k < 2; ++k) {
     const Vec3 press = force * (tangent(bend * (k + 1) / 2) - tangent(bend * k / 2));
-    loads.push_back({muscle, rounded(press, 1e-3), Vec3::Zero(), rounded((radius + kMiddle) * outward(kPresses[k] * bend), 1e-4)});
+    loads.push_back({muscle, rounded(press, 1e-3), Vec3::Zero(), rounded(middleOn(tissue, outward(kPresses[k] * bend)), 1e-4)});
   }
 }
 

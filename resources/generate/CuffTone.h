@@ -20,7 +20,7 @@ struct Tone {
 /// A muscle goes the shortest way from the middle of its insertion round a ball about the head's centre, as wide as that
 /// lies from it, to the middle of its origin. Its pull acts on the humerus along the way's tangent at the insertion.
 /// Where the way bends it presses: force × change of the tangent, in two equal parts of the bend, which act on the muscle
-/// itself where it has left its footprint, so that muscle presses on head by contact. Both together are the pull along the
+/// itself, in the middle of its tissue, where it has left its footprint, so that muscle presses on head by contact. Both together are the pull along the
 /// tangent at which the way leaves the ball. Source: B. A. Garner, M. G. Pandy, "The obstacle-set method for representing
 /// muscle paths", Comput. Methods Biomech. Biomed. Eng. 3(1), 2000.
 /// The biceps tendon, pulled from both ends, is pressed into its groove where it turns over the head.

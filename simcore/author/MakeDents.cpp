@@ -27,16 +27,16 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// `count` marked points, far from each other, the first in their middle: each next one is the farthest from those taken,
-/// so a longer list begins as a shorter one does.
-std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<char>& marked, int count) {
+/// `count` marked points, far from each other, the first in their weighted middle: each next one is the farthest from
+/// those taken, so a longer list begins as a shorter one does.
+std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<double>& weights, const std::vector<char>& marked, int count) {
   std::vector<double> distance(points.size(), 0);
   std::vector<Vec3> taken;
   Vec3 middle = Vec3::Zero();
-  int all = 0;
+  double all = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (marked[i]) middle += points[i], ++all, distance[i] = 1e300;
-  middle /= std::max(all, 1);
+    if (marked[i]) middle += weights[i] * points[i], all += weights[i], distance[i] = 1e300;
+  if (all > 0) middle /= all;
   std::size_t next = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (marked[i] && (!marked[next] || (points[i] - middle).norm() < (points[next] - middle).norm())) next = i;
@@ -54,9 +54,13 @@ std::vector<Vec3> placesOn(const Part& part, int use, int count) {
   std::vector<char> marked;
   for (const int own : useOfTriangles(part)) marked.push_back(own == use);
   std::vector<Vec3> middles;
-  for (const auto& c : part.visual->triangles)
-    middles.push_back((part.visual->vertices[c[0]] + part.visual->vertices[c[1]] + part.visual->vertices[c[2]]) / 3);
-  return spread(middles, marked, count);
+  std::vector<double> areas;
+  for (const auto& c : part.visual->triangles) {
+    const Vec3 &x = part.visual->vertices[c[0]], &y = part.visual->vertices[c[1]], &z = part.visual->vertices[c[2]];
+    middles.push_back((x + y + z) / 3);
+    areas.push_back(0.5 * (y - x).cross(z - x).norm());
+  }
+  return spread(middles, areas, marked, count);
 }
 
 /// Tissue under a place of the surface, along the normal into the part, m; 0 where none is found. Where the place is an

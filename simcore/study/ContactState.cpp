@@ -2,6 +2,7 @@
 #include "simcore/study/ContactState.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -71,9 +72,12 @@ Result<Done> search(const StudyScene& scene, double press, const std::vector<Con
       return Error{Fault::Cancelled, {}, {}, "looking for states"};
     if (mark.empty() || report.pressing == 0) continue;
     for (ContactState* best : found) {
-      const int miss = std::abs(report.contacts - best->wanted), known = std::abs(best->contacts - best->wanted);
-      if (best->contacts > 0 && (miss > known || (miss == known && report.pressing <= best->pressing))) continue;
-      *best = {best->wanted, report.contacts, report.pressing, before.time, scenario.contactDistance, press, false, mark, before, inputs};
+      // First that enough press, then that there are as many as wanted, then that more press.
+      const auto rank = [best](int contacts, int pressing) {
+        return std::array{std::max(0, best->pressingWanted - pressing), std::abs(contacts - best->wanted), -pressing};
+      };
+      if (best->contacts > 0 && rank(report.contacts, report.pressing) >= rank(best->contacts, best->pressing)) continue;
+      *best = {best->wanted, best->pressingWanted, report.contacts, report.pressing, before.time, scenario.contactDistance, press, false, mark, before, inputs};
     }
   }
   for (ContactState* best : found) {
@@ -86,18 +90,23 @@ Result<Done> search(const StudyScene& scene, double press, const std::vector<Con
 }  // namespace
 
 std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons) {
+  const auto among = [](const auto& list, const std::string& id) { return std::find(list.begin(), list.end(), id) != list.end(); };
   std::vector<Load> loads;
-  for (const Hold& hold : scenario.holds) {
-    double least = std::numeric_limits<double>::infinity();
-    Vec3 toward_W = Vec3::Zero();
-    for (const std::string& id : scenario.fixedParts) {
-      const TriangleTree tree(*joint.parts[findPart(joint, id)].collision);
-      const auto nearest = tree.closest(Vec3::Zero());
-      if (nearest.triangle < 0 || nearest.distance >= least) continue;
-      least = nearest.distance;
-      toward_W = nearest.point;
+  for (const Part& part : joint.parts) {
+    if (among(scenario.fixedParts, part.id)) continue;
+    Vec3 way_W = Vec3::Zero();
+    if (std::any_of(scenario.holds.begin(), scenario.holds.end(), [&](const Hold& hold) { return hold.part == part.id; })) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const std::string& id : scenario.fixedParts) {
+        const auto nearest = TriangleTree(*joint.parts[findPart(joint, id)].collision).closest(Vec3::Zero());
+        if (nearest.triangle < 0 || nearest.distance >= least) continue;
+        least = nearest.distance;
+        way_W = nearest.point;
+      }
+    } else {
+      for (const Vec3& x : part.visual->vertices) way_W -= x;
     }
-    if (toward_W.norm() > 0) loads.push_back({hold.part, newtons * toward_W.normalized(), Vec3::Zero()});
+    if (way_W.norm() > 0) loads.push_back({part.id, newtons * way_W.normalized(), Vec3::Zero()});
   }
   return loads;
 }
@@ -107,6 +116,7 @@ Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, con
   std::vector<ContactState> found(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     found[i].wanted = wanted[i].contacts;
+    found[i].pressingWanted = wanted[i].pressing;
     found[i].pressed = wanted[i].press;
   }
   std::vector<double> presses;
@@ -125,7 +135,8 @@ Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, con
 Scenario scenarioOf(const StudyScene& scene, const ContactState& state) {
   Scenario scenario = scene.scenario;
   scenario.contactDistance = state.contactDistance;
-  if (state.pressed > 0) scenario.loads = pressingLoads(scene.joint, scenario, state.pressed);
+  if (state.pressed > 0)
+    for (const Load& load : pressingLoads(scene.joint, scenario, state.pressed)) scenario.loads.push_back(load);
   return scenario;
 }
 
