@@ -32,6 +32,7 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
   const BoxTree::Sweep sweep = sweepOf(a, b);
   if (!BoxTree::overlap(rootA, sweep, rootB)) return;
   m_touching = kTouching * settings.contactDistance;
+  m_shallow = kShallow * settings.contactDistance;
   m_edgeDepth = m_limits.edgeDepth * std::min(a.topology().thickness, b.topology().thickness);
   m_out = &out;
   m_counts = &counts;

@@ -31,6 +31,9 @@ class PairSearch {
   static constexpr double kOverlapped = 0.5;
   /// Share of the contact distance below which two points touch: the direction between them says nothing any more.
   static constexpr double kTouching = 1e-4;
+  /// Share of the contact distance within which features count as just meeting: edges that overlap so little need no proof
+  /// that they do, and a vertex so near a convex edge, but beside it, may rest on the edge.
+  static constexpr double kShallow = 1e-2;
 
   /// One of the two surfaces, with marks for each of its vertices; a mark holds while it equals m_mark.
   struct Side {
@@ -79,7 +82,7 @@ class PairSearch {
 
   ProximityLimits m_limits;
   Settings m_settings;
-  double m_touching = 0, m_ahead = 0, m_edgeDepth = 0, m_swept = 0;  ///< of this pair, m
+  double m_touching = 0, m_shallow = 0, m_ahead = 0, m_edgeDepth = 0, m_swept = 0;  ///< of this pair, m
   Side m_a, m_b;
   NormalCone m_cone, m_against;
   std::vector<int> m_next;

@@ -111,7 +111,11 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
   const int place = ids[0] == feature.id ? 0 : (ids[1] == feature.id ? 1 : 2);
   if (!(own >> (place + (feature.kind == FeatureKind::Edge ? 3 : 0)) & 1)) return;
   if (distance < m_touching) return vertexTouches(mine, other, vertex, triangle, w, feature, away);
-  if (!nearestLocally(other, feature, foot, away)) return;
+  if (!nearestLocally(other, feature, foot, away)) {
+    const bool ridge = feature.kind == FeatureKind::Edge && surface.bend(feature.id) == MovingSurface::Bend::Convex;
+    if (ridge && distance < m_shallow) vertexTouches(mine, other, vertex, triangle, w, feature, away);
+    return;
+  }
   if (away.dot(surface.normalOf(feature)) < 0) return suspect(mine, vertex);
   emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
 }

@@ -18,9 +18,9 @@ Error cancelled() { return {Fault::Cancelled, {}, {}, "benchmark"}; }
 StudyTable statesTable(const std::vector<ContactState>& states) {
   StudyTable table;
   table.id = "states";
-  table.columns = {"state", "contacts", "pressing", "timeS", "mark", "pressedN", "contactDistanceMm", "distanceChanged", "stateHash"};
+  table.columns = {"state", "contacts", "pressing", "timeS", "mark", "loadFactor", "contactDistanceMm", "distanceChanged", "stateHash"};
   for (const ContactState& state : states)
-    table.rows.push_back({stateName(state), long{state.contacts}, long{state.pressing}, state.time, state.mark, state.pressed,
+    table.rows.push_back({stateName(state), long{state.contacts}, long{state.pressing}, state.time, state.mark, state.loadFactor,
                           1e3 * state.contactDistance, state.distanceChanged, toHex(stateHash(state.state))});
   return table;
 }

@@ -5,15 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
-#include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
 namespace {
 
 constexpr double kNearEnough = 0.03;    ///< of the wanted number
-constexpr double kDistanceFactor = 4;   ///< most that the contact distance is changed
+constexpr double kDistanceFactor = 10;   ///< most that the contact distance is changed
 constexpr int kBisections = 24;
 
 std::string markAt(const Recording& input, double time) {
@@ -49,13 +47,13 @@ void changeDistance(const Model& model, ContactState& found) {
   }
 }
 
-/// One play of the input with held parts pressed, for all states that want it so.
-Result<Done> search(const StudyScene& scene, double press, const std::vector<ContactState*>& found,
+/// One play of the input under so many times the scenario's loads, for all states that want it so.
+Result<Done> search(const StudyScene& scene, double factor, const std::vector<ContactState*>& found,
                     const std::function<bool(double)>& progress) {
-  ContactState pressed;
-  pressed.pressed = press;
-  pressed.contactDistance = scene.scenario.contactDistance;
-  const Scenario scenario = scenarioOf(scene, pressed);
+  ContactState loaded;
+  loaded.loadFactor = factor;
+  loaded.contactDistance = scene.scenario.contactDistance;
+  const Scenario scenario = scenarioOf(scene, loaded);
   const auto model = compileModel(scene.joint, scenario);
   if (!model) return model.error();
   Stepper stepper(*model, {});
@@ -72,12 +70,12 @@ Result<Done> search(const StudyScene& scene, double press, const std::vector<Con
       return Error{Fault::Cancelled, {}, {}, "looking for states"};
     if (mark.empty() || report.pressing == 0) continue;
     for (ContactState* best : found) {
-      // First that enough press, then that there are as many as wanted, then that more press.
+      // What is missing of those that press counts like what is off in all; of equals more press.
       const auto rank = [best](int contacts, int pressing) {
-        return std::array{std::max(0, best->pressingWanted - pressing), std::abs(contacts - best->wanted), -pressing};
+        return std::array{std::max(0, best->pressingWanted - pressing) + std::abs(contacts - best->wanted), -pressing};
       };
       if (best->contacts > 0 && rank(report.contacts, report.pressing) >= rank(best->contacts, best->pressing)) continue;
-      *best = {best->wanted, best->pressingWanted, report.contacts, report.pressing, before.time, scenario.contactDistance, press, false, mark, before, inputs};
+      *best = {best->wanted, best->pressingWanted, report.contacts, report.pressing, before.time, scenario.contactDistance, factor, false, mark, before, inputs};
     }
   }
   for (ContactState* best : found) {
@@ -89,45 +87,23 @@ Result<Done> search(const StudyScene& scene, double press, const std::vector<Con
 
 }  // namespace
 
-std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons) {
-  const auto among = [](const auto& list, const std::string& id) { return std::find(list.begin(), list.end(), id) != list.end(); };
-  std::vector<Load> loads;
-  for (const Part& part : joint.parts) {
-    if (among(scenario.fixedParts, part.id)) continue;
-    Vec3 way_W = Vec3::Zero();
-    if (std::any_of(scenario.holds.begin(), scenario.holds.end(), [&](const Hold& hold) { return hold.part == part.id; })) {
-      double least = std::numeric_limits<double>::infinity();
-      for (const std::string& id : scenario.fixedParts) {
-        const auto nearest = TriangleTree(*joint.parts[findPart(joint, id)].collision).closest(Vec3::Zero());
-        if (nearest.triangle < 0 || nearest.distance >= least) continue;
-        least = nearest.distance;
-        way_W = nearest.point;
-      }
-    } else {
-      for (const Vec3& x : part.visual->vertices) way_W -= x;
-    }
-    if (way_W.norm() > 0) loads.push_back({part.id, newtons * way_W.normalized(), Vec3::Zero()});
-  }
-  return loads;
-}
-
 Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<ContactWish>& wanted,
                                                     const std::function<bool(double)>& progress) {
   std::vector<ContactState> found(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     found[i].wanted = wanted[i].contacts;
     found[i].pressingWanted = wanted[i].pressing;
-    found[i].pressed = wanted[i].press;
+    found[i].loadFactor = wanted[i].loadFactor;
   }
-  std::vector<double> presses;
+  std::vector<double> factors;
   for (const ContactWish& wish : wanted)
-    if (std::find(presses.begin(), presses.end(), wish.press) == presses.end()) presses.push_back(wish.press);
-  for (std::size_t p = 0; p < presses.size(); ++p) {
+    if (std::find(factors.begin(), factors.end(), wish.loadFactor) == factors.end()) factors.push_back(wish.loadFactor);
+  for (std::size_t p = 0; p < factors.size(); ++p) {
     std::vector<ContactState*> group;
     for (ContactState& state : found)
-      if (state.pressed == presses[p]) group.push_back(&state);
-    const auto part = [&](double done) { return !progress || progress((static_cast<double>(p) + done) / static_cast<double>(presses.size())); };
-    if (Result<Done> searched = search(scene, presses[p], group, part); !searched) return searched.error();
+      if (state.loadFactor == factors[p]) group.push_back(&state);
+    const auto part = [&](double done) { return !progress || progress((static_cast<double>(p) + done) / static_cast<double>(factors.size())); };
+    if (Result<Done> searched = search(scene, factors[p], group, part); !searched) return searched.error();
   }
   return found;
 }
@@ -135,8 +111,10 @@ Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, con
 Scenario scenarioOf(const StudyScene& scene, const ContactState& state) {
   Scenario scenario = scene.scenario;
   scenario.contactDistance = state.contactDistance;
-  if (state.pressed > 0)
-    for (const Load& load : pressingLoads(scene.joint, scenario, state.pressed)) scenario.loads.push_back(load);
+  for (Load& load : scenario.loads) {
+    load.force_W *= state.loadFactor;
+    load.torque_W *= state.loadFactor;
+  }
   return scenario;
 }
 

@@ -17,29 +17,23 @@ struct ContactState {
   int contacts = 0, pressing = 0;
   double time = 0;             ///< s of the input
   double contactDistance = 0;  ///< m, of the scenario that gives this many contacts
-  double pressed = 0;          ///< N, by which free parts were pressed together
+  double loadFactor = 1;       ///< by which the scenario's loads were multiplied
   bool distanceChanged = false;  ///< against the scenario as it is shipped
   std::string mark;            ///< of the recording, what the hands were doing
   State state;                 ///< before the step
   Inputs inputs;               ///< of that step
 };
 
-/// What to look for: a number of contacts and how many of them press at least, and how hard free parts are pressed together
-/// meanwhile.
+/// What to look for: a number of contacts and how many of them press at least, under so many times the scenario's loads.
 struct ContactWish {
   int contacts = 65, pressing = 0;
-  double press = 0;  ///< N
+  double loadFactor = 1;
 };
 
-/// A load of `newtons` for each free part: of a held one from the point that is held toward the nearest point of a fixed
-/// part's collision surface, of any other spread over it, from its middle toward the origin of W. In the shoulder: the
-/// head into its socket and everything around onto the head.
-std::vector<Load> pressingLoads(const Joint& joint, const Scenario& scenario, double newtons);
-
-/// Plays the input once for each press and keeps, for each wanted number, the step nearest to it during which a hand presses (inside
-/// a mark of the recording, with at least one pressing contact; those with the wanted number of pressing ones, or most of
-/// them, go first; of equals the one with most). Where that
-/// misses by more than a few hundredths, the contact distance is changed by bisection, at most fourfold either way,
+/// Plays the input once for each load factor and keeps, for each wish, the step nearest to it during which a hand presses
+/// (inside a mark of the recording, with at least one pressing contact): by what is off in the number of contacts and what
+/// is missing of those that press together; of equals the one with most pressing contacts. Where the number of contacts
+/// misses by more than a few hundredths, the contact distance is changed by bisection, at most tenfold either way,
 /// the state staying the same: more or fewer features count as near. The answer says what it took. Fails as
 /// compileModel does, with Unusable for an input that never presses, with Cancelled.
 Result<std::vector<ContactState>> findContactStates(const StudyScene& scene, const std::vector<ContactWish>& wanted,

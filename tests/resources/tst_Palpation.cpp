@@ -9,6 +9,7 @@
 #include "resources/generate/StrokePlan.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/Run.h"
+#include "simcore/reading/Readings.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ScenarioFile.h"
@@ -79,10 +80,12 @@ TEST(Palpation, theRecordingIsTheOneThatIsPlanned) {
 }
 
 TEST(Palpation, pressingTheSkinPressesTheMuscleBelow) {
+  // The deltoid feels the skin that is pressed onto it and the finger inside, which stands for what the skin's stiffness
+  // passes on at the very spot; the muscle gives way under both, so the finger inside has but a small share.
   const auto model = palpation();
   const Vec3 out = model->scenario.tools[0].home.q_WB * Vec3::UnitZ();
-  double last = 0;
-  for (const double depth : {8e-3, 14e-3, 20e-3}) {
+  double last = 0, before = 0;  // N, at the depth before
+  for (const double depth : {0.0, 8e-3, 14e-3, 20e-3}) {
     Stepper stepper(model, {});
     State state = model->start;
     StepReport report;
@@ -90,11 +93,21 @@ TEST(Palpation, pressingTheSkinPressesTheMuscleBelow) {
       const Vec3 hand = model->scenario.tools[0].home.p_WB - std::min(1.0, i / 100.0) * depth * out;
       report = stepper.step({{{hand, model->scenario.tools[0].home.q_WB}}}, state);
     }
-    const double muscle = report.toolForces[1].dot(out), skin = report.toolForces[0].dot(out);
-    std::printf("%4.0f mm: %.2f N on the skin, %.2f N on the muscle\n", 1e3 * depth, skin, muscle);
-    // The skin takes the more of it the deeper it is pressed, since it presses the muscle away from the finger inside.
-    EXPECT_GT(muscle, 0.1);
-    EXPECT_GT(skin, last);
+    double below = 0, inside = 0;  // N into the shoulder, on the three parts of the deltoid
+    for (const ContactReading& contact : readContacts(*model, report.contactViews)) {
+      const bool onA = contact.a.starts_with("deltoid"), onB = contact.b.starts_with("deltoid");
+      const std::string& other = onA ? contact.b : contact.a;
+      if (onA == onB || (other != "skin" && other != "finger-inside")) continue;
+      const double force = (contact.force * contact.normal_W + contact.friction_W).dot(onA ? Vec3(-out) : out);
+      below += force;
+      if (other == "finger-inside") inside += force;
+    }
+    const double skin = report.toolForces[0].dot(out);
+    std::printf("%4.0f mm: %.2f N on the skin; on the muscle %.2f N, %.2f N of it by the finger inside\n", 1e3 * depth, skin, below, inside);
+    EXPECT_GE(inside, depth > 0 ? 0.03 : 0.0);
+    EXPECT_GT(below, depth > 0 ? before + 0.1 : -1e-9) << "the deeper, the more arrives below the skin";
+    if (depth > 0) EXPECT_GT(skin, last);
+    before = below;
     last = skin;
   }
 }

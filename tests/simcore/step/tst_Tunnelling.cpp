@@ -80,8 +80,8 @@ TEST(Tunnelling, whatIsThrownAtAThinSheetStaysOnItsSide) {
           }
           std::printf("%s ball, %s sheet, %g ms, %g m/s: %.4f mm deep\n", ball == PartKind::Soft ? "soft" : "rigid",
                       sheet == PartKind::Soft ? "soft" : "rigid", 1e3 * dt, speed, 1e3 * deepest);
-          // What flies more than twice the soft sheet's width in one step dents it by most of that; 0.1 mm is not reached then.
-          EXPECT_LE(deepest, sheet == PartKind::Soft && speed * dt > 0.2 ? 7e-4 : 1e-4);
+          // What flies farther in one step than the soft sheet is wide carries it along by as much; 0.1 mm is not reached then.
+          EXPECT_LE(deepest, sheet == PartKind::Soft && speed * dt > 0.05 ? 5e-4 : 1e-4);
           EXPECT_GT(lowest, -1e-4) << "through";
         }
 }

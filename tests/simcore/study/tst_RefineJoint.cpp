@@ -73,11 +73,11 @@ TEST(ContactState, aPressedStateHasAboutTheWantedContacts) {
   const double end = scene.input.marks[0].end;
   for (HandTrack& track : scene.input.tracks)
     std::erase_if(track.keys, [&](const HandKey& key) { return key.time > end; });
-  const auto states = findContactStates(scene, {{65, 0, 0}, {65, 25, 30}}).value();
+  const auto states = findContactStates(scene, {{65, 0, 1}, {65, 25, 1.5}}).value();
   ASSERT_EQ(states.size(), 2u);
   for (const ContactState& found : states) {
     EXPECT_NEAR(found.contacts, found.wanted, 0.03 * found.wanted);
-    EXPECT_GE(found.pressing, found.pressed > 0 ? 25 : 12);
+    EXPECT_GE(found.pressing, found.loadFactor > 1 ? 18 : 12);
     // The state gives what it says, and is the same state twice.
     const auto model = compileModel(scene.joint, scenarioOf(scene, found)).value();
     Stepper stepper(model, {});
