@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds everything and runs every test: tests/run.sh [--quick] [--sanitizers] [arguments for ctest, such as -R NAME]
 # --quick leaves out the tests that are labelled long. Tests with windows run on a virtual screen.
-# --sanitizers goes on with simcore's tests in their short form under the address and undefined behaviour sanitizers, and
-# those with threads under the thread sanitizer, each in a build of its own (some twenty minutes more on two cores); what
+# --sanitizers goes on with simcore's tests in their short form under the address and undefined behaviour sanitizers (but for
+# those that run at length what others check once), and those with threads under the thread sanitizer, each in a build of its own (some twenty minutes more on two cores); what
 # continuous integration does. Where more than GLENOID_SANITIZERS_UNTIL seconds (3300) have gone into the rest, there is no time
 # for them, and that is a failure.
 set -euo pipefail
@@ -58,7 +58,7 @@ if [ "$sanitizers" = 1 ] && [ "$SECONDS" -gt "${GLENOID_SANITIZERS_UNTIL:-3300}"
   glenoid_say "No time is left for the sanitizers: $((SECONDS / 60)) minutes have gone into the other tests."
   failed=1
 elif [ "$sanitizers" = 1 ]; then
-  sanitized asan simcore_tests simcore || failed=1
+  sanitized asan sanitized_tests sanitized || failed=1
   sanitized tsan thread_tests threads || failed=1
 fi
 if [ "$ran" = 0 ]; then

@@ -2577,6 +2577,10 @@
         <translation>El efecto «%1» está activado, pero ninguna versión lo tiene aún: no hace nada.</translation>
     </message>
     <message>
+        <source>Loads are to rise over %1 s, but the scenario has none: the time changes nothing.</source>
+        <translation>Las cargas deben crecer durante %1 s, pero el escenario no tiene ninguna: ese tiempo no cambia nada.</translation>
+    </message>
+    <message>
         <source>The seed %1 changes nothing, since nothing in this version is drawn at random.</source>
         <translation>La semilla %1 no cambia nada, ya que en esta versión nada se sortea.</translation>
     </message>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <functional>
+
 #include "simcore/contact/ConeSolve.h"
 
 namespace glenoid {
@@ -31,13 +33,12 @@ struct ConeIteration {
   template <class Push, class Pick>
   void solveSliding(const Push& push, const Pick& pick) {
     const int size = static_cast<int>(work.sliding.size());
-    solveShifted(
-        [&](const VecX& x, VecX& Tx) {
-          pushAll(x, push);
-          system.respond(work.push, work.answer);
-          for (int k = 0; k < size; ++k) Tx[k] = pick(work.sliding[k], work.answer);
-        },
-        size, 1e-3, work.slip, work.krylov);
+    const auto apply = [&](const VecX& x, VecX& Tx) {
+      pushAll(x, push);
+      system.respond(work.push, work.answer);
+      for (int k = 0; k < size; ++k) Tx[k] = pick(work.sliding[k], work.answer);
+    };
+    solveShifted(std::cref(apply), size, 1e-3, work.slip, work.krylov);  // by reference: a copy would be on the heap
   }
   template <class Push>
   void pushAll(const VecX& x, const Push& push) {

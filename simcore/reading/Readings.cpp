@@ -137,7 +137,8 @@ void readHoldsAndLoads(const Model& model, const State& state, SceneReading& out
       for (const BoundLoad& bound : island.loads) {
         if (bound.object != object || before-- != 0) continue;
         const Vec3 point = bound.spread ? readPart(model, state, object).centre_W : model.inside->objects[object]->position(bound.point, state.q);
-        out.loads.push_back({load.part, "", {point, load.force_W, load.torque_W}});
+        const double share = loadShareAt(model.scenario, state.time);
+        out.loads.push_back({load.part, "", {point, share * load.force_W, share * load.torque_W}});
       }
   }
 }

@@ -14,6 +14,10 @@ int findTool(const Scenario& scenario, const std::string& id) {
   return -1;
 }
 
+double loadShareAt(const Scenario& scenario, double time) {
+  return scenario.loadRise > 0 ? std::clamp(time / scenario.loadRise, 0.0, 1.0) : 1;
+}
+
 Pose motionAt(const Motion& motion, double time) {
   assert(!motion.keys.empty());
   const auto after = std::upper_bound(motion.keys.begin(), motion.keys.end(), time,

@@ -142,6 +142,7 @@ struct Scenario {
   std::vector<std::string> fixedParts;  ///< ids; they join no island
   std::vector<Hold> holds;
   std::vector<Load> loads;
+  double loadRise = 0;               ///< s over which loads rise evenly from nothing at the start; 0: whole at once
   std::vector<Pressure> pressures;
   std::vector<Support> supports;
   std::vector<Motion> motions;       ///< one for each part at most
@@ -153,6 +154,9 @@ struct Scenario {
 };
 
 int findTool(const Scenario& scenario, const std::string& id);
+
+/// Share of the loads that acts at a time, s: what has risen by then.
+double loadShareAt(const Scenario& scenario, double time);
 
 /// Pose that brings the part from rest to where it is at a time: x_W = pose · x at rest. Needs a key.
 Pose motionAt(const Motion& motion, double time);

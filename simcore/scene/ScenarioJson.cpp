@@ -196,6 +196,7 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("fixedParts", fromTexts(scenario.fixedParts));
   json.set("holds", listOf(scenario.holds, fromHold));
   json.set("loads", listOf(scenario.loads, fromLoad));
+  if (scenario.loadRise != 0) json.set("loadRise", scenario.loadRise);
   if (!scenario.pressures.empty()) json.set("pressures", listOf(scenario.pressures, fromPressure));
   if (!scenario.supports.empty()) json.set("supports", listOf(scenario.supports, fromSupport));
   if (!scenario.motions.empty()) json.set("motions", listOf(scenario.motions, fromMotion));
@@ -221,6 +222,7 @@ Scenario toScenario(const JsonValue& json) {
   scenario.profile = valueOf(kProfiles, json["profile"].text(), scenario.profile);
   scenario.contactDistance = json["contactDistance"].number(scenario.contactDistance);
   scenario.recoverySpeedMax = json["recoverySpeedMax"].number(scenario.recoverySpeedMax);
+  scenario.loadRise = json["loadRise"].number(scenario.loadRise);
   scenario.fixedParts = toTexts(json["fixedParts"]);
   scenario.holds = vectorOf(json["holds"], toHold);
   scenario.loads = vectorOf(json["loads"], toLoad);

@@ -12,13 +12,14 @@ namespace glenoid {
 struct UnusedSetting {
   enum class Why {
     NotBuilt,    ///< an effect that is switched on and that no version has built yet
+    LoadRise,    ///< a time for loads to rise without any load
     Seed,        ///< a seed other than the default, while nothing is drawn at random
   };
   Why why = Why::NotBuilt;
-  std::string name;  ///< of the effect; the seed in digits
+  std::string name;  ///< of the effect; the seed, the time in s in digits
 };
 
-/// "not-built", "seed".
+/// "not-built", "load-rise", "seed".
 const char* unusedName(UnusedSetting::Why why);
 
 /// The effects that this version knows by name and has not built.

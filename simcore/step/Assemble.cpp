@@ -29,7 +29,7 @@ void moveHands(Stepper::Work& work, const State& state, int partsLeft) {
 
 void assembleIslands(Stepper::Work& work, const State& state) {
   const StageClock clock(work.report, Stage::Assemble);
-  const double dt = work.settings.dt;
+  const double dt = work.settings.dt, loaded = dt * loadShareAt(work.model->scenario, state.time + dt);
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
     const CouplingIslandModel& model = work.inside->islands[i];
     IslandWork& island = work.islands[i];
@@ -47,7 +47,7 @@ void assembleIslands(Stepper::Work& work, const State& state) {
                 drivenVelocity(work, spring.objectB, spring.b->position(spring.pointB, state.q));
       assembleSpring(spring, dt, state.q, island.A, island.b, drift);
     }
-    for (const BoundLoad& load : model.loads) assembleLoad(load, *work.inside->objects[load.object], dt, state.q, island.b);
+    for (const BoundLoad& load : model.loads) assembleLoad(load, *work.inside->objects[load.object], loaded, state.q, island.b);
     for (const BoundPressure& pressure : model.pressures)
       assemblePressure(pressure, *work.inside->objects[pressure.object], dt, state.q, work.pressureScratch, island.b);
     for (const BoundSupport& support : model.supports) assembleSupport(support, dt, state.q, island.A, island.b);

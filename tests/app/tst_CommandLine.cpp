@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Files, SpoiledScenario, ::testing::Values(
   Spoiled{"truncated", [](std::string s) { return s.substr(0, s.size() / 2); }, "ends before"},
   Spoiled{"noJson", [](std::string) { return std::string("solid cube\n"); }, "line 1"},
   Spoiled{"deep", [](std::string) { return std::string(100000, '['); }, "nested"},
-  Spoiled{"newer", [](std::string s) { return exchanged(s, "\"schemaVersion\": 1", "\"schemaVersion\": 999"); }, "999"},
+  Spoiled{"newer", [](std::string s) { return exchanged(s, "\"schemaVersion\": 2", "\"schemaVersion\": 999"); }, "999"},
   Spoiled{"notFinite", [](std::string s) { return exchanged(s, "\"dt\": 0.005", "\"dt\": NaN"); }, "/dt"},
   Spoiled{"outOfRange", [](std::string s) { return exchanged(s, "\"dt\": 0.005", "\"dt\": -1"); }, "/dt"},
   Spoiled{"unknownPart", [](std::string s) { return exchanged(s, "\"scapula\"", "\"shinbone\""); }, "shinbone"},

@@ -59,14 +59,15 @@ TEST(Arthroscopy, staysFiniteBalancedAndExact) {
 
 TEST(Arthroscopy, hasAboutTheRowsOfThePublishedScene) {
   // Paper: 50 contacts at rest, mean 65, at most 153, counted where features are near. A row here is a local minimum of
-  // the distance, seen from both sides, so there are fewer; at rest none presses, since a hold carries the arm.
+  // the distance, seen from both sides, so there are fewer.
   const RunReport& run = wholeRun();
   EXPECT_LE(arthroscopy().scenario.contactDistance, 2e-3);
   ASSERT_TRUE(run.contacts.rest.has_value());
   EXPECT_GE(*run.contacts.rest, 30);
   EXPECT_LE(*run.contacts.rest, 80);
   EXPECT_GE(run.contacts.max, 45);
-  EXPECT_GE(run.contacts.pressingMax, 3);
+  EXPECT_GE(*run.contacts.pressingRest, 12);
+  EXPECT_GE(run.contacts.pressingMax, 15);
 }
 
 TEST(Arthroscopy, nothingSinksIntoAnything) {
@@ -86,9 +87,10 @@ TEST(Arthroscopy, theRecordingPressesWhatItSays) {
     EXPECT_NE(std::find(pressed.begin(), pressed.end(), part), pressed.end()) << part;
 }
 
-TEST(Arthroscopy, takesAQuarterOfRealTimeOnOneCore) {
+TEST(Arthroscopy, takesHalfOfRealTimeOnOneCore) {
+  // A quarter before anything pressed at rest.
 #ifdef NDEBUG
-  EXPECT_LT(wholeRun().step.median, 1.25);  // ms of thread CPU time for a step of 5 ms
+  EXPECT_LT(wholeRun().step.median, 2.5);  // ms of thread CPU time for a step of 5 ms
 #else
   GTEST_LOG_(INFO) << "assertions are on: no time is asserted, " << wholeRun().step.median << " ms";
 #endif

@@ -43,10 +43,10 @@ TEST(ShoulderLongRun, staysAtRestWithoutDriftLeakOrAllocation) {
   std::printf("fastest %.1e m/s, farthest %.1e m, residual %.1e, %ld allocations, %ld bytes grown\n", fastest,
               farthest, worst, allocated, grown);
   EXPECT_EQ(rejected, 0);
-  // Round-off keeps rattling at 1e-13 m/s and 1e-16 m (measured); real drift, the slightest creep of a spring
-  // or contact, would add up step by step.
-  EXPECT_LT(fastest, 1e-11);
-  EXPECT_LT(farthest, 1e-12);
+  // Seventeen contacts press with friction; their answer is right to some 1e-10 m/s, which is what keeps rattling (6e-10 m/s
+  // and 2e-11 m measured). Real drift, the slightest creep of a spring or contact, would add up step by step.
+  EXPECT_LT(fastest, 1e-8);
+  EXPECT_LT(farthest, 1e-9);
   EXPECT_LT(worst, 1e-13);
   if (!test::heapIsCounted()) GTEST_SKIP() << "a sanitizer keeps the heap to itself";
   EXPECT_EQ(allocated, 0);

@@ -61,6 +61,23 @@ TEST(Loads, severalLoadsOnOnePartAddUp) {
   EXPECT_LT(one.part(0).angularVelocity_W.norm(), 1e-10);
 }
 
+TEST(Loads, whatRisesGivesTheMomentumOfItsRise) {
+  // Free of everything else: m v = F ∑ Δt min(1, t_n / T), the sum over steps; half of F T after the rise, up to Δt.
+  scenes::LadderScene scene = twoBodies();
+  const Vec3 force(3, -4, 1);
+  scene.scenario.loads = {{"bone", force}};
+  const double dt = scene.scenario.dt, rise = 10 * dt;
+  scene.scenario.loadRise = rise;
+  for (const int count : {4, 10, 25}) {
+    double impulse = 0;
+    for (int n = 1; n <= count; ++n) impulse += dt * std::min(1.0, n * dt / rise);
+    const Steps run(scene, count);
+    EXPECT_LT((run.part(0).mass * run.part(0).velocity_W - impulse * force).norm(), 1e-12) << count;
+    const SceneReading reading = readScene(*run.model, run.state, {});
+    EXPECT_LT((reading.loads[0].onPart.force_W - std::min(1.0, count * dt / rise) * force).norm(), 1e-12);
+  }
+}
+
 TEST(Loads, aForceAtAPointOfASoftPartGivesItsMomentumAndItsMoment) {
   scenes::LadderScene scene = twoBodies();
   const Vec3 force(0.02, -0.01, 0.03), point(-0.013, 0.011, 0.022);
