@@ -2,12 +2,9 @@
 // A surface of half a million triangles stays usable: simplified and embedded in seconds, hit by a ray at once.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <random>
-#include <vector>
 
 #include "simcore/embed/Cells.h"
 #include "simcore/embed/Fill.h"
@@ -15,23 +12,13 @@
 #include "simcore/mesh/Simplify.h"
 #include "simcore/mesh/TetTools.h"
 #include "simcore/spatial/TriangleTree.h"
+#include "tests/MachineSpeed.h"
 #include "tests/simcore/mesh/Shapes.h"
 
 namespace glenoid {
 namespace {
 
 double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-/// What this machine takes to sort four million numbers, s of processor time: 0.3 to 0.45. A bound in seconds would judge the
-/// machine.
-double sortingSeconds() {
-  std::mt19937_64 random(1);
-  std::vector<double> numbers(4000000);
-  for (double& x : numbers) x = static_cast<double>(random());
-  const double start = cpuSeconds();
-  std::sort(numbers.begin(), numbers.end());
-  return cpuSeconds() - start;
-}
 
 TEST(LargeSurface, isSimplifiedAndEmbeddedWithinTenSeconds) {
   const TriMesh mesh = shapes::revolved(
@@ -46,7 +33,7 @@ TEST(LargeSurface, isSimplifiedAndEmbeddedWithinTenSeconds) {
   ASSERT_TRUE(cells.ok());
   const double embedded = cpuSeconds();
   std::printf("500 000 triangles: simplified in %.1f s, cells cut in %.1f s (processor time)\n", simplified - start, embedded - simplified);
-  EXPECT_LT(embedded - start, 30 * sortingSeconds());  // ten seconds where sorting takes a third of one
+  EXPECT_LT(embedded - start, 30 * test::sortingSeconds());  // ten seconds where sorting takes a third of one
   EXPECT_TRUE(healthOf(*collision).healthy());
   EXPECT_NEAR(enclosedVolume(*collision), enclosedVolume(mesh), 1e-6 * enclosedVolume(mesh));
   EXPECT_NEAR(static_cast<double>(cells->mesh.tets.size()), 3000, 450);
