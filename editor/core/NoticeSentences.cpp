@@ -26,7 +26,7 @@ QString NoticeSentences::of(const UnusedSetting& unused) {
     case UnusedSetting::Why::NotBuilt:
       return tr("The effect “%1” is switched on, but no version has it yet: it does nothing.").arg(effectName(unused.name));
     case UnusedSetting::Why::LoadRise:
-      return tr("Loads are to rise over %1 s, but the scenario has none: the time changes nothing.").arg(words(unused.name));
+      return tr("Loads are to rise over %1 s, but the scenario has none: the time changes nothing.").arg(number(std::stod(unused.name)));
     case UnusedSetting::Why::Seed:
       return tr("The seed %1 changes nothing, since nothing in this version is drawn at random.").arg(words(unused.name));
   }

@@ -85,8 +85,9 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   contact.gap = gap;
   if (!near(gap, n, a, contact.a, b, contact.b)) return;
   if (gap < -m_shallow) {
-    // Two wedges that a plane touches along both may just have met. Where the foot of one edge lies in the other's wedge it must truly be inside. A wedge that leans over so far that
-    // it cannot hold the foot says nothing; one of the two has to.
+    // Two wedges that a plane touches along both may just have met. Deeper ones must prove it: where the foot of one edge lies
+    // in the other's wedge it must truly be inside. A wedge that leans over so far that it cannot hold the foot says nothing;
+    // one of the two has to.
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
     const double least = -kWedge * gap;
     if (!inA && !inB) return;
