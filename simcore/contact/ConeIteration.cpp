@@ -26,17 +26,28 @@ void ConeIteration::project(VecX& lambda) const {
     setRowsOf(contacts[c], answers(c) ? ontoCone(rowsOf(contacts[c], lambda), contacts[c].friction).impulse : Vec3(Vec3::Zero()), lambda);
 }
 
+double ConeIteration::errorOf(std::size_t c, const VecX& lambda) const {
+  const double answer = system.answer(static_cast<int>(c));
+  if (!(answer > 0)) return 0;
+  Vec3 w = rowsOf(contacts[c], work.w);
+  const Vec3 impulse = rowsOf(contacts[c], lambda);
+  w[0] += system.compliance(static_cast<int>(c)) * impulse[0];
+  return coulombError(impulse, w, contacts[c].friction, answer);
+}
+
 double ConeIteration::error(const VecX& lambda) const {
   double worst = system.imbalance(lambda);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const double answer = system.answer(static_cast<int>(c));
-    if (!(answer > 0)) continue;
-    Vec3 w = rowsOf(contacts[c], work.w);
-    const Vec3 impulse = rowsOf(contacts[c], lambda);
-    w[0] += system.compliance(static_cast<int>(c)) * impulse[0];
-    worst = std::max(worst, coulombError(impulse, w, contacts[c].friction, answer));
-  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) worst = std::max(worst, errorOf(c, lambda));
   return worst;
+}
+
+bool ConeIteration::sameRanks() {
+  bool same = true;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    same = same && work.ranks[c] == work.points[c].rank;
+    work.ranks[c] = work.points[c].rank;
+  }
+  return same;
 }
 
 bool ConeIteration::factorServes() const {

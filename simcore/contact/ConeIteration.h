@@ -24,6 +24,10 @@ struct ConeIteration {
   void project(VecX& lambda) const;
   /// Worst distance of λ from Coulomb's law at the point, and of the point from the momentum that λ gives, m/s.
   double error(const VecX& lambda) const;
+  /// Contact c's part in that.
+  double errorOf(std::size_t c, const VecX& lambda) const;
+  /// Whether as many directions of each contact hold as when this was asked last.
+  bool sameRanks();
   /// Whether the last factor still serves: same contacts with about the same derivatives.
   bool factorServes() const;
   /// Factors for work.points; false where that is not definite.

@@ -39,6 +39,17 @@ struct Convex {
     it.system.residual(work.lambda);
   }
 
+  /// λ of the whole step from work.aim: λ(w) and its derivative, as factored, along dw; inside the cones.
+  void stepImpulses() {
+    for (std::size_t c = 0; c < it.contacts.size(); ++c) {
+      const Mat3& root = work.factored[c].root;
+      Vec3 change = Vec3::Zero();
+      if (work.factored[c].rank > 0) change = root * (root.transpose() * rowsOf(it.contacts[c], work.dw));
+      setRowsOf(it.contacts[c], rowsOf(it.contacts[c], work.aim) - change, work.lambda);
+    }
+    it.project(work.lambda);
+  }
+
   /// Derivative of the convex energy at alpha along the step.
   double derivative(const ContactSystem::Along& along, double alpha) const {
     double sum = along.linear + alpha * along.quadratic;
@@ -129,6 +140,7 @@ bool roundsOfConvex(ConeIteration& it, const ConeLimits& limits, LcpReport& repo
   const int n = it.n;
   Convex convex{it};
   it.setPenalty(kPenalty);
+  double bestError = report.error;
   work.best.head(n) = work.lambda0.head(n);
   for (std::size_t c = 0; c < it.contacts.size(); ++c) {
     // What slid in the last step slides on; what is new is not lifted by a slip that may end at once.
@@ -136,7 +148,8 @@ bool roundsOfConvex(ConeIteration& it, const ConeLimits& limits, LcpReport& repo
     const bool slid = last[0] > 0 && std::sqrt(last[1] * last[1] + last[2] * last[2]) > 0.99 * it.contacts[c].friction * last[0];
     work.shift[c] = slid ? it.slipShift(c) : 0;
   }
-  double before = 1e300, best = 1e300, lastStretch = 1e300, lastShift = 1e300;
+  double before = 1e300, lastStretch = 1e300, lastShift = 1e300;
+  bool follows = false, trusted = true;  // the shift is Newton's; it never led further away
   for (int k = 0; k < limits.convex; ++k) {
     convex.impulses();
     while (!it.factorServes() && !it.factor()) {
@@ -144,6 +157,7 @@ bool roundsOfConvex(ConeIteration& it, const ConeLimits& limits, LcpReport& repo
       it.setPenalty(100 * it.share);
       convex.impulses();
     }
+    work.aim.head(n) = work.lambda.head(n);
     const ContactSystem::Along along = it.system.step(work.dw);
     const double length = convex.stepLength(along);
     const double inner = work.dw.head(n).cwiseAbs().maxCoeff();
@@ -152,22 +166,29 @@ bool roundsOfConvex(ConeIteration& it, const ConeLimits& limits, LcpReport& repo
     if (!std::isfinite(inner)) return false;
     if (inner > 0.3 * before) it.haveFactor = false;  // a factor of before that brings little has served
     before = inner;
+    if (length == 1) {
+      // What the step itself gives keeps momentum; what the law makes of its end does so only when all has settled.
+      convex.stepImpulses();
+      const double error = it.error(work.lambda);
+      if (error < bestError) {
+        bestError = error;
+        work.best.head(n) = work.lambda.head(n);
+      }
+    }
     convex.impulses();
     it.system.impulses(work.lambda);
     it.project(work.lambda);
     const double stretch = convex.stretch(), shift = convex.shiftError(), outer = std::max(stretch, shift);
-    if (length < 1 || inner > std::max(0.5 * limits.tolerance, 0.1 * outer)) continue;
+    if (length < 1 || inner > std::max(0.5 * limits.enough, 0.1 * outer)) continue;
     work.lambda0.head(n) = work.lambda.head(n);
-    if (outer < best) {
-      best = outer;
-      work.best.head(n) = work.lambda.head(n);
-    }
-    if (std::max(inner, outer) <= limits.tolerance) {
+    if (std::max(inner, outer) <= limits.enough) {
       it.system.take(work.lambda0, work.w);
       report.error = it.error(work.lambda0);
-      if (report.error <= limits.tolerance) return true;
+      if (report.error <= limits.enough) return true;
     }
-    convex.nextShift(shift > 0.5 * lastShift);
+    if (follows && shift > lastShift) trusted = false;
+    follows = trusted && shift > 0.5 * lastShift;
+    convex.nextShift(!follows);
     if (stretch > 0.3 * shift && stretch > 0.2 * lastStretch && it.share > kPenaltyLeast)
       it.setPenalty(std::max(kPenaltyLeast, (stretch > 0.7 * lastStretch ? 0.01 : 0.1) * it.share));
     lastStretch = stretch;

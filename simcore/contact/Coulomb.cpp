@@ -10,6 +10,9 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
+/// Rows from which the friction solve is bounded by what it costs, and then steps on the convex law times rows.
+constexpr int kRowsOfMany = 500, kStepRows = 100000;
+
 /// Largest eigenvalue of the 2×2 block at (i, i).
 double stiffest(const Eigen::Ref<const MatX>& W, int i) {
   const double mean = 0.5 * (W(i, i) + W(i + 1, i + 1)), half = 0.5 * (W(i, i) - W(i + 1, i + 1));
@@ -58,8 +61,20 @@ LcpReport sweeps(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& 
 
 }  // namespace
 
-double frictionTolerance(const LcpLimits& limits, const Eigen::Ref<const VecX>& d) {
-  return limits.tolerance + 1e-12 + 1e-11 * d.cwiseAbs().maxCoeff();
+ConeLimits coneLimits(const LcpLimits& limits, const Eigen::Ref<const VecX>& d) {
+  const double roundOff = 1e-12 + 1e-11 * d.cwiseAbs().maxCoeff();
+  ConeLimits cones;
+  cones.tolerance = limits.tolerance + roundOff;
+  cones.enough = std::max(limits.tolerance, limits.enough) + roundOff;
+  cones.turns = limits.turns;
+  // A step's cost follows the rows: from some hundred on, what does not settle soon is said rather than waited for.
+  const int rows = static_cast<int>(d.size());
+  if (rows > kRowsOfMany) {
+    cones.turns = std::min(limits.turns, 1);
+    cones.newton = limits.turns > 0 ? 15 : 6;
+    cones.convex = std::clamp(kStepRows / rows, 20, cones.convex);
+  }
+  return cones;
 }
 
 LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>& d,
@@ -70,14 +85,13 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   if (d.size() == 0) return report;
   if (limits.pivots == 0) {
     report = sweeps(W, d, contacts, lambda, limits, work);
-    report.exact = report.error <= frictionTolerance(limits, d);
+    report.exact = report.error <= coneLimits(limits, d).enough;
     return report;
   }
   work.system.set(W, d, contacts, limits.compliance);
-  ConeLimits cones;
-  cones.tolerance = frictionTolerance(limits, d);
+  const ConeLimits cones = coneLimits(limits, d);
   report = solveCones(work.system, lambda, cones, work.cones);
-  if (report.exact) return report;
+  if (report.exact || limits.turns == 0) return report;
   // Contacts that no impulses satisfy, as a rule: sweeps spread what is wrong over all of them.
   LcpLimits last = limits;
   last.sweeps = limits.lastSweeps;
@@ -87,7 +101,7 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
   LcpReport swept = sweeps(W, d, contacts, lambda, last, work);
   if (swept.error < report.error) {
     report.error = swept.error;
-    report.exact = report.error <= cones.tolerance;
+    report.exact = report.error <= cones.enough;
   } else {
     lambda = best.head(d.size());
   }

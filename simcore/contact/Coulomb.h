@@ -19,8 +19,8 @@ struct CoulombWork {
 /// (Coulomb's law with the round cone, no facets; sliding makes the problem non-symmetric, so there need be
 /// neither a solution nor only one). W symmetric positive semi-definite; units as in Lcp.h.
 /// By solveCones (ConeSolve.h has the method); with limits.pivots = 0 by block projected Gauss–Seidel alone, as the
-/// `paper` profile asks. Ends when the law holds to limits.tolerance and 1e-11 of the largest speed in d; where that is
-/// not reached, the best answer stays and the report says so. Every answer is finite and inside the cones.
+/// `paper` profile asks. Ends when the law holds to limits.tolerance and 1e-11 of the largest speed in d, or to limits.enough
+/// where steps bring no more; where that is not reached, the best answer stays and the report says so. Every answer is finite and inside the cones.
 /// λ: first guess in, answer out. In the report `pivots` counts Newton steps.
 /// Sources: Alart and Curnier, "A mixed formulation for frictional contact problems prone to Newton like solution
 /// methods", Comput. Methods Appl. Mech. Eng. 92 (1991); Jourdan, Alart and Jean, "A Gauss–Seidel like algorithm
@@ -29,7 +29,7 @@ LcpReport solveCoulomb(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const V
                        std::span<const ContactUnknowns> contacts, Eigen::Ref<VecX> lambda, const LcpLimits& limits,
                        CoulombWork& work);
 
-/// limits.tolerance and what round-off leaves of speeds d, m/s.
-double frictionTolerance(const LcpLimits& limits, const Eigen::Ref<const VecX>& d);
+/// When the friction solve ends: limits.tolerance and limits.enough with what round-off leaves of speeds d.
+ConeLimits coneLimits(const LcpLimits& limits, const Eigen::Ref<const VecX>& d);
 
 }  // namespace glenoid

@@ -16,11 +16,13 @@ struct LcpLimits {
   int lastSweeps = 200;       ///< PGS where that does not end either
   double compliance = 1e-12;  ///< added to the diagonal, relative to it: mends exact duplicates
   double tolerance = 0;       ///< with friction, m/s: an error that nobody feels; round-off of the speeds comes on top
+  double enough = 0;          ///< with friction, m/s: taken where further steps bring little; not under the tolerance
+  int turns = 2;              ///< with friction, of the convex law and sweeps where Newton does not end (ConeSolve.h)
 };
 
 struct LcpReport {
   int sweeps = 0, pivots = 0;
-  bool exact = false;   ///< pivoting ended with every sign right; with friction: the tolerance was reached
+  bool exact = false;   ///< pivoting ended with every sign right; with friction: the tolerance or what is enough was reached
   bool convex = false;  ///< with friction: Newton on the exact law did not end
   double error = 0;     ///< max |min(λ_i W_ii, w_i)|, m/s
 };

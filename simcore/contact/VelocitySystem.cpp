@@ -56,11 +56,35 @@ void VelocitySystem::gatherTerms() {
     }
 }
 
+double VelocitySystem::yieldOf(std::size_t island) {
+  constexpr std::size_t kSamples = 8;
+  const VelocityIsland& part = m_islands[island];
+  const std::size_t rows = part.rows.size(), every = std::max<std::size_t>(1, rows / kSamples);
+  std::array<double, kSamples> ratios{};
+  std::size_t count = 0;
+  VecX& push = m_local[island][0];
+  for (std::size_t r = 0; r < rows && count < kSamples; r += every) {
+    double alone = 0;
+    for (const RowTerm& term : part.rows[r]) alone += term.coefficient.dot(m_inverse[m_base[island] + term.block] * term.coefficient);
+    if (!(alone > 0)) continue;
+    push.setZero(part.b->size());
+    addTransposed(part.rows[r], 1, push);
+    part.response->solve(push);
+    ratios[count++] = dot(part.rows[r], push) / alone;
+  }
+  if (count == 0) return 1;
+  std::sort(ratios.begin(), ratios.begin() + count);
+  return std::max(1.0, ratios[count / 2]);
+}
+
 void VelocitySystem::gatherAnswers() {
   m_inverse.resize(m_blocks);
-  for (std::size_t i = 0; i < m_islands.size(); ++i)
-    for (int block = 0; block < m_islands[i].A->symbolic().blockCount(); ++block)
-      m_inverse[m_base[i] + block] = m_islands[i].A->block(block, block).inverse();
+  for (std::size_t i = 0; i < m_islands.size(); ++i) {
+    const int blocks = m_islands[i].A->symbolic().blockCount();
+    for (int block = 0; block < blocks; ++block) m_inverse[m_base[i] + block] = m_islands[i].A->block(block, block).inverse();
+    const double yield = yieldOf(i);
+    for (int block = 0; block < blocks; ++block) m_inverse[m_base[i] + block] *= yield;
+  }
   m_answers.resize(m_contacts.size());
   for (std::size_t c = 0; c < m_contacts.size(); ++c) {
     Vec3 sum = Vec3::Zero();

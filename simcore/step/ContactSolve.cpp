@@ -12,8 +12,9 @@ namespace glenoid {
 namespace {
 
 /// The friction solve is done when Coulomb's law holds to this share of what gravity alone gives in a step, Δt g: what is
-/// left moves a block at rest by less than a micron an hour.
-constexpr double kFeelable = 1e-9;
+/// left moves a block at rest by less than a micron an hour. Where many stiff contacts depend on each other and steps bring
+/// no more, a hundred times that. Without gravity, what moves a tenth of that share of the contact distance in a step.
+constexpr double kFeelable = 1e-9, kFeelableAtMost = 1e-7;
 /// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step.
 constexpr int kRowsInImpulses = 500;
 
@@ -81,12 +82,6 @@ bool inVelocities(const Stepper::Work& work, const ContactIsland& island, int n)
   return n > kRowsInImpulses || (work.tangentialRows > 0 && n >= unknowns);
 }
 
-ConeLimits coneLimits(const Stepper::Work& work, int n, const LcpLimits& limits) {
-  ConeLimits cones;
-  cones.tolerance = frictionTolerance(limits, work.d.head(n));
-  return cones;
-}
-
 /// Solves with the sparse matrix of the island's own velocities; they and the impulses are the answer.
 LcpReport solveInVelocities(Stepper::Work& work, const ContactIsland& island, int n, const LcpLimits& limits) {
   const StageClock clock(work.report, work.tangentialRows ? Stage::Friction : Stage::Contact);
@@ -101,7 +96,7 @@ LcpReport solveInVelocities(Stepper::Work& work, const ContactIsland& island, in
   auto& system = work.velocitySystems[island.couplingIslands.front()];
   if (!system) system = std::make_unique<VelocitySystem>(work.options.portable);
   system->set(parts, work.unknowns, work.compliances, work.d.head(n));
-  const LcpReport solved = solveCones(*system, work.lambda.head(n), coneLimits(work, n, limits), work.coulomb.cones);
+  const LcpReport solved = solveCones(*system, work.lambda.head(n), coneLimits(limits, work.d.head(n)), work.coulomb.cones);
   for (const int index : island.couplingIslands) {
     IslandWork& part = work.islands[index];
     part.lambda.clear();
@@ -144,11 +139,18 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     chooseViolated(work, island);
   }
   int newton = 0;
+  bool thorough = false;  // what is not settled is worth the convex law once it is known which contacts take part
   for (int round = 0;; ++round) {
     const int n = chooseRows(work, state, island);
     if (n == 0) return;
     LcpLimits limits;
-    if (work.tangentialRows) limits.tolerance = kFeelable * work.settings.dt * work.model->scenario.gravity_W.norm();
+    limits.turns = thorough ? limits.turns : 0;
+    if (work.tangentialRows) {
+      const double dt = work.settings.dt;
+      const double felt = std::max(dt * work.model->scenario.gravity_W.norm(), 0.1 * work.model->scenario.contactDistance / dt);
+      limits.tolerance = kFeelable * felt;
+      limits.enough = kFeelableAtMost * felt;
+    }
     const bool velocities = inVelocities(work, island, n), tangential = work.tangentialRows > 0;
     const LcpReport solved = velocities ? solveInVelocities(work, island, n, limits) : solveInImpulses(work, island, n, limits);
     if (tangential || velocities) newton += solved.pivots;
@@ -160,7 +162,11 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     int more = chooseViolated(work, island);
     if (more > 0 && round >= kRounds)
       for (const int c : island.contacts) more += !std::exchange(work.contacts[c].chosen, true);
-    if (more > 0) continue;
+    if (more > 0) {
+      thorough = thorough && n > kRowsInImpulses;
+      continue;
+    }
+    if (!solved.exact && (tangential || velocities) && !std::exchange(thorough, true)) continue;
     countSolve(report, velocities, tangential, n, newton, solved);
     return;
   }

@@ -33,8 +33,9 @@ struct Slope {
     for (int i = 0; i < static_cast<int>(std::lround(seconds / model->scenario.dt)); ++i) {
       const StepReport& report = stepper->step({}, state);
       ASSERT_TRUE(report.taken);
-      // Where a soft block lands, now and then no answer is exact to round-off; then a micron a second is all it lacks.
-      ASSERT_LT(report.complementarity, report.pivotsExhausted ? 1e-6 : 1e-9) << "step " << i;
+      // What the solver promises: a ten-millionth of what gravity gives in a step. Where a soft block lands, now and then
+      // that is not reached; then a micron a second is all it lacks.
+      ASSERT_LT(report.complementarity, report.pivotsExhausted ? 1e-6 : 1.1e-7 * kGravity * model->scenario.dt) << "step " << i;
     }
   }
 
