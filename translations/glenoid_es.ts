@@ -2638,6 +2638,24 @@
     </message>
 </context>
 <context>
+    <name>glenoid::NoticeStrip</name>
+    <message>
+        <source>Show everything that is to be said about this run in the list of problems</source>
+        <translation>Mostrar en la lista de problemas todo lo que hay que decir de esta ejecución</translation>
+    </message>
+    <message>
+        <source>Close the notice</source>
+        <translation>Cerrar el aviso</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::PartEdits</name>
     <message>
         <source>Rename “%1”</source>
@@ -3027,6 +3045,17 @@
     <message>
         <source>This one needs your judgement.</source>
         <translation>Este requiere su criterio.</translation>
+    </message>
+    <message>
+        <source>Of this run</source>
+        <translation>De esta ejecución</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n notice(s) about the run</source>
+        <translation>
+            <numerusform>%n aviso sobre la ejecución</numerusform>
+            <numerusform>%n avisos sobre la ejecución</numerusform>
+        </translation>
     </message>
 </context>
 <context>

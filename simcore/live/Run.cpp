@@ -140,7 +140,8 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   report.notices = noticesBefore(*model, options.input, report.seconds);
   for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);
   if (watch) report.notices.insert(report.notices.end(), watch->notices().begin(), watch->notices().end());
-  if (collision && collision->tooDeep()) report.notices.push_back(*collision->tooDeep());
+  if (collision)
+    for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);
   if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);
   if (pacer) report.pace = pacer->report();
   if (options.record) result.recording = recordingOf(*model, options, report);

@@ -12,23 +12,6 @@ bool samePose(const Pose& a, const Pose& b) {
   return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs();
 }
 
-int objectOf(const Model& model, const std::string& id, bool tool) {
-  for (std::size_t i = 0; i < model.objects.size(); ++i)
-    if (model.objects[i].tool == tool && model.objects[i].id == id) return static_cast<int>(i);
-  return -1;
-}
-
-/// Net force that contacts put on `first` from `second` (either may be −1: any object of that side), N.
-/// A contact's normal points from b to a, so a is pushed along it.
-Vec3 netForce(const std::vector<ContactView>& contacts, int first, int second) {
-  Vec3 sum = Vec3::Zero();
-  for (const ContactView& c : contacts) {
-    if (c.objectA == first && (second < 0 || c.objectB == second)) sum += c.force * c.normal_W + c.friction_W;
-    else if (c.objectB == first && (second < 0 || c.objectA == second)) sum -= c.force * c.normal_W + c.friction_W;
-  }
-  return sum;
-}
-
 /// The stages that only one effect has. What several effects share (gravity, couplings and damping are all
 /// assembled at once) has no time of its own.
 struct EffectStages {
@@ -74,18 +57,11 @@ RunGather::RunGather(const Model& model, const Recording* input, long steps, Pro
     : m_model(model),
       m_rest(restWindow(firstMotion(input), static_cast<double>(steps) * model.scenario.dt)),
       m_dt(model.scenario.dt),
+      m_marks(model, input),
       m_paper(profile == Profile::Paper) {
   m_step.reserve(steps);
   m_wall.reserve(steps);
   for (auto& stage : m_stages) stage.reserve(steps);
-  if (!input) return;
-  for (const RecordingMark& mark : input->marks) {
-    Mark entry;
-    entry.report = {mark.name, mark.tool, mark.part, mark.begin, mark.end, 0, 0};
-    entry.tool = mark.tool.empty() ? -1 : objectOf(model, mark.tool, true);
-    entry.part = mark.part.empty() ? -1 : objectOf(model, mark.part, false);
-    m_marks.push_back(entry);
-  }
 }
 
 void RunGather::add(const StepReport& step, double time) {
@@ -119,24 +95,8 @@ void RunGather::add(const StepReport& step, double time) {
   m_wallMs += step.stepWallMs;
   m_cpuMs += step.stepCpuMs;
   for (int s = 0; s < kStageCount; ++s) m_stages[s].push_back(static_cast<float>(step.cpuMs[s]));
-  addMarks(step, time);
+  m_marks.add(step, time);
   if (m_paper) addPaper(step.paper, step.contacts > 0);
-}
-
-void RunGather::addMarks(const StepReport& step, double time) {
-  for (Mark& mark : m_marks) {
-    if (time < mark.report.begin - m_dt / 2 || time >= mark.report.end - m_dt / 2) continue;
-    double force = 0;
-    if (mark.tool >= 0) {
-      force = netForce(step.contactViews, mark.tool, mark.part).norm();
-    } else {  // any tool: the one that pushes hardest
-      for (std::size_t i = 0; i < m_model.objects.size(); ++i)
-        if (m_model.objects[i].tool)
-          force = std::max(force, netForce(step.contactViews, static_cast<int>(i), mark.part).norm());
-    }
-    mark.report.forceMax = std::max(mark.report.forceMax, force);
-    if (force >= 1.0) mark.report.seconds += m_dt;
-  }
 }
 
 void RunGather::addPaper(const PaperReport& paper, bool contact) {
@@ -198,7 +158,7 @@ void RunGather::finish(RunReport& report) {
   report.step = timingOf(m_step);
   report.stepWall = timingOf(m_wall);
   for (int s = 0; s < kStageCount; ++s) report.stages[s] = timingOf(m_stages[s]);
-  for (const Mark& mark : m_marks) report.marks.push_back(mark.report);
+  report.marks = m_marks.reports();
   if (m_paper) {
     m_paperSummary.outerIterationsMean = m_outerSteps ? m_outer / static_cast<double>(m_outerSteps) : 0;
     report.diverged = m_paperSummary.divergedSteps > 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "simcore/live/MarkForces.h"
 #include "simcore/live/RunReport.h"
 #include "simcore/scene/Recording.h"
 
@@ -30,13 +31,8 @@ class RunGather {
   void finish(RunReport& report);
 
  private:
-  void addMarks(const StepReport& step, double time);
   void addPaper(const PaperReport& paper, bool contact);
 
-  struct Mark {
-    MarkReport report;
-    int tool = -1, part = -1;  ///< objects; −1: any
-  };
   const Model& m_model;
   RestWindow m_rest;
   double m_dt;
@@ -46,7 +42,7 @@ class RunGather {
   int m_contactMax = 0, m_pressingMax = 0, m_droppedMax = 0, m_islandsMax = 0;
   std::vector<float> m_step, m_wall;
   std::array<std::vector<float>, kStageCount> m_stages;
-  std::vector<Mark> m_marks;
+  MarkForces m_marks;
   bool m_paper;
   PaperSummary m_paperSummary;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -121,8 +122,9 @@ struct RunReport {
 /// The parts of a model as reports and tables show them.
 std::vector<PartReport> partReports(const Model& model);
 
-/// Indented JSON that resources/schemas/run-report.schema.json describes; ends with a line break.
-std::string toJson(const RunReport& report);
+/// Indented JSON that resources/schemas/run-report.schema.json describes; ends with a line break. `sentence` says a notice to
+/// people; without it the report holds their words and figures only.
+std::string toJson(const RunReport& report, const std::function<std::string(const Notice&)>& sentence = {});
 
 /// "direct", "paper", "reference".
 const char* profileName(Profile profile);
