@@ -100,7 +100,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     // The hand's pose at the step's end is what the implicit step pulls towards.
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
-    gather.add(step, time);
+    gather.add(step, time, state.v);
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);

@@ -6,12 +6,6 @@
 namespace glenoid {
 namespace {
 
-constexpr double kSettling = 1.0, kRestLength = 0.5;  // s
-
-bool samePose(const Pose& a, const Pose& b) {
-  return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs();
-}
-
 /// The stages that only one effect has. What several effects share (gravity, couplings and damping are all
 /// assembled at once) has no time of its own.
 struct EffectStages {
@@ -35,27 +29,9 @@ const std::vector<EffectStages>& effectStages() {
 
 }  // namespace
 
-std::optional<double> firstMotion(const Recording* input) {
-  std::optional<double> first;
-  if (!input) return first;
-  for (const HandTrack& track : input->tracks)
-    for (std::size_t k = 1; k < track.keys.size(); ++k)
-      if (!samePose(track.keys[k].hand, track.keys[k - 1].hand)) {
-        const double begin = track.keys[k - 1].time;
-        if (!first || begin < *first) first = begin;
-        break;
-      }
-  return first;
-}
-
-RestWindow restWindow(std::optional<double> motion, double runSeconds) {
-  const double end = std::min(motion.value_or(runSeconds), runSeconds);
-  return {std::max(kSettling, end - kRestLength), end};
-}
-
 RunGather::RunGather(const Model& model, const Recording* input, long steps, Profile profile)
     : m_model(model),
-      m_rest(restWindow(firstMotion(input), static_cast<double>(steps) * model.scenario.dt)),
+      m_rest(model, input),
       m_dt(model.scenario.dt),
       m_marks(model, input),
       m_paper(profile == Profile::Paper) {
@@ -64,7 +40,7 @@ RunGather::RunGather(const Model& model, const Recording* input, long steps, Pro
   for (auto& stage : m_stages) stage.reserve(steps);
 }
 
-void RunGather::add(const StepReport& step, double time) {
+void RunGather::add(const StepReport& step, double time, const VecX& v) {
   ++m_steps;
   if (!step.taken) ++m_rejected;
   if (step.parts > 1) ++m_cut;
@@ -84,12 +60,7 @@ void RunGather::add(const StepReport& step, double time) {
   m_contactSolver.rowsMax = std::max(m_contactSolver.rowsMax, step.contactSolver.rowsMax);
   m_residual = std::max(m_residual, step.residual);
   m_complementarity = std::max(m_complementarity, step.complementarity);
-  // Half a step of slack: times are sums of steps and carry their round-off.
-  if (time > m_rest.begin - m_dt / 2 && time < m_rest.end - m_dt / 2) {
-    m_restContacts += step.contacts;
-    m_restPressing += step.pressing;
-    ++m_restSteps;
-  }
+  m_rest.add(step, time, v);
   m_step.push_back(static_cast<float>(step.stepCpuMs));
   m_wall.push_back(static_cast<float>(step.stepWallMs));
   m_wallMs += step.stepWallMs;
@@ -130,10 +101,10 @@ void RunGather::finish(RunReport& report) {
   report.complementarity = m_complementarity;
   report.contactIslandsMax = m_islandsMax;
   report.contacts = {std::nullopt, std::nullopt, "", m_contacts / n, m_pressing / n, m_contactMax, m_pressingMax, m_droppedMax};
-  if (m_restSteps > 0) {
-    report.contacts.rest = m_restContacts / static_cast<double>(m_restSteps);
-    report.contacts.pressingRest = m_restPressing / static_cast<double>(m_restSteps);
-  } else report.contacts.restReason = "no-rest-after-one-second-of-settling";
+  if (const auto rest = m_rest.contacts()) {
+    report.contacts.rest = rest->rows;
+    report.contacts.pressingRest = rest->pressing;
+  } else report.contacts.restReason = m_rest.reason();
   report.stepsPerSecond = m_wallMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_wallMs : 0;
   report.stepsPerCpuSecond = m_cpuMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_cpuMs : 0;
 

@@ -55,7 +55,7 @@ struct MarkReport {
 
 /// Rows over the steps, and those of them that press (StepReport); words as in the README of this folder.
 struct ContactCounts {
-  std::optional<double> rest, pressingRest;  ///< means at rest; nothing when the run has no such window
+  std::optional<double> rest, pressingRest;  ///< means at rest (RestWatch); nothing when the run has not come to rest
   std::string restReason;                    ///< why not
   double mean = 0, pressingMean = 0;
   int max = 0, pressingMax = 0;
