@@ -104,7 +104,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
-    if (options.observe) options.observe(step, state);
+    if (options.observe) options.observe(step, state, collision ? collision->lastLook() : std::span<const Penetration>());
     if (s + 1 == *steps) {
       result.contacts = step.contactViews;
       result.dents = step.dents;

@@ -65,7 +65,7 @@ TEST(Notices, aDepthBeyondItsLimitNamesPairAndTime) {
   std::array<Deepest, 3> deepest;
   RunOptions options;
   options.seconds = 0.1;
-  options.observe = [&](const StepReport&, const State& state) {
+  options.observe = [&](const StepReport&, const State& state, std::span<const Penetration>) {
     for (int i = 0; i < 3; ++i) {
       const double depth = 0.01 - state.q[model->objects[findPart(joint, cubes[i])].layout.qOffset + 1];  // the slab's top is at 0
       if (depth > deepest[i].depth) deepest[i] = {depth, state.time, state.step};
