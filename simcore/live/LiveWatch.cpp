@@ -29,6 +29,7 @@ LiveWatch::LiveWatch(std::shared_ptr<const Model> model, std::shared_ptr<const R
       m_input(std::move(input)),
       m_told(std::move(told)),
       m_marks(*m_model, m_input.get()),
+      m_restWatch(*m_model, m_input.get()),
       m_judged(m_marks.reports().size(), 0),
       m_onPathSince(HUGE_VAL),
       m_before(noticesBefore(*m_model, m_input.get(), m_input ? inputSeconds(*m_input) : 0)),
@@ -51,6 +52,8 @@ std::shared_ptr<const std::vector<Notice>> LiveWatch::notices() const {
 
 void LiveWatch::look(const StepReport& step, const State& state, bool onPath) {
   judgeMarks(step, state, onPath);
+  m_restWatch.add(step, state.time - m_model->scenario.dt, state.v);
+  m_rest = {true, m_restWatch.loadsRise(), m_restWatch.speed(), m_restWatch.isSlow()};
   {
     const std::lock_guard lock(m_mutex);
     m_newest.state.q = state.q;

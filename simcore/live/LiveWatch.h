@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "simcore/live/MarkForces.h"
+#include "simcore/live/RestWatch.h"
 #include "simcore/live/StepWatch.h"
 
 namespace glenoid {
@@ -24,6 +25,7 @@ class LiveWatch final : public StepWatch {
 
   void look(const StepReport& step, const State& state, bool onPath) override;
   std::shared_ptr<const std::vector<Notice>> notices() const override;
+  RestState rest() const override { return m_rest; }
 
  private:
   struct Seen {
@@ -40,6 +42,8 @@ class LiveWatch final : public StepWatch {
 
   // The thread that steps.
   MarkForces m_marks;
+  RestWatch m_restWatch;
+  RestState m_rest;
   std::vector<char> m_judged;  ///< by mark
   double m_onPathSince;        ///< s; infinite: they are not
 

@@ -189,6 +189,7 @@ struct SimulationThread::Run {
     out.rates.forgiven = clock.forgiven();
     out.rejectedSteps = rejectedSteps;
     out.notices = watch ? watch->notices() : nullptr;
+    out.rest = watch ? watch->rest() : RestState{};
     snapshots.publish();
   }
 };

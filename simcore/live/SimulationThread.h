@@ -32,6 +32,7 @@ struct Snapshot {
   /// What must be said about the run since reset or the last change of model or recording; null without a watch. Another
   /// list when something is new.
   std::shared_ptr<const std::vector<Notice>> notices;
+  RestState rest;            ///< nothing known without a watch
 };
 
 /// One step of a run; what makes it is chosen by a StepMaker. The report is valid until the next call.

@@ -10,6 +10,14 @@
 
 namespace glenoid {
 
+/// How far a run has come to rest, of its last step.
+struct RestState {
+  bool stepped = false;     ///< false: no step yet, and nothing below is known
+  bool loadsRise = false;   ///< the loads are not whole yet
+  double speed = 0;         ///< m/s, of the fastest point of any part
+  bool slow = false;        ///< loads are whole and no part moves faster than RestWatch::kSlow
+};
+
 /// Looks at a run from outside, step by step, and knows what must be said about it.
 class StepWatch {
  public:
@@ -21,6 +29,9 @@ class StepWatch {
   /// What is known by now, at most one notice of a kind for the same subjects. Never null; another list when something is new.
   /// From any thread.
   virtual std::shared_ptr<const std::vector<Notice>> notices() const = 0;
+
+  /// In the thread that steps.
+  virtual RestState rest() const { return {}; }
 };
 
 /// Makes the watch of a run that begins or goes on with a model. `input`: what hands follow, or null. `told` is called from any

@@ -151,6 +151,30 @@ TEST(LiveWatch, reachesTheSnapshotAndBeginsAnewWithTheRun) {
   ASSERT_TRUE(shows(2));
 }
 
+TEST(LiveWatch, knowsWhetherTheRunIsAtRest) {
+  Scenario scenario = scenes::sunkenCubesScenario();  // they leave at ten times the speed that counts as rest
+  scenario.loads = {{"deep", Vec3(0, 1e-9, 0)}};
+  scenario.loadRise = 0.02;
+  const auto model = cubesModel(scenario);
+  LiveWatch watch(model, nullptr, {});
+  EXPECT_FALSE(watch.rest().stepped);
+  Steps steps(model);
+  steps.take(4, watch);
+  EXPECT_TRUE(watch.rest().stepped);
+  EXPECT_TRUE(watch.rest().loadsRise);
+  steps.take(1, watch);
+  EXPECT_FALSE(watch.rest().loadsRise);
+  EXPECT_FALSE(watch.rest().slow);
+  EXPECT_NEAR(watch.rest().speed, scenes::kRecovery, 0.1 * scenes::kRecovery);
+  scenario.recoverySpeedMax = 0.5e-3;
+  scenario.loads.clear();
+  const auto slowly = cubesModel(scenario);
+  LiveWatch other(slowly, nullptr, {});
+  Steps more(slowly);
+  more.take(3, other);
+  EXPECT_TRUE(other.rest().slow);
+}
+
 TEST(LiveWatch, canBeDestroyedWhileItLooks) {
   const auto model = cubesModel(scenes::sunkenCubesScenario());
   for (int i = 0; i < 30; ++i) {
