@@ -23,7 +23,7 @@ LoadFields::LoadFields(Document& document, const std::string& part, bool& editin
   setTitle(tr("Loads"));
   auto* form = new QFormLayout(this);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->setLabelAlignment(Qt::AlignLeft);
+  form->setRowWrapPolicy(QFormLayout::WrapAllRows);  // three numbers beside a label are wider than the panel
   const Scenario& scenario = m_document.scenario();
   if (m_part.empty()) showRise(*form);
   for (std::size_t i = 0; i < scenario.loads.size(); ++i)
@@ -100,10 +100,13 @@ QDoubleSpinBox* LoadFields::component(int index, Vector which, int axis) {
     }
     return load.force_W;
   };
-  const double unit = which == Vector::Point ? 1e-3 : 1;  // SI of one shown
+  // Of a number shown, SI.
+  const double unit = which == Vector::Point ? 1e-3 : 1;
   const char* const word = which == Vector::Force ? "force" : which == Vector::Torque ? "torque" : "point";
   QDoubleSpinBox* box = panel::field(QStringLiteral("load.%1.%2.%3").arg(index).arg(QLatin1String(word), QString(QLatin1String(kAxes[axis])).toLower()),
                                      -kMost / unit, kMost / unit, which == Vector::Point ? 2 : 3);
+  box->setMinimumWidth(60);
+  box->setButtonSymbols(QAbstractSpinBox::NoButtons);  // keys and wheel do the same in less room
   Load load = m_document.scenario().loads[index];
   box->setValue(of(load)[axis] / unit);
   const QString words = which == Vector::Force    ? tr("Force of load %1 along %2")

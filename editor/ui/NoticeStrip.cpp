@@ -36,7 +36,7 @@ NoticeStrip::NoticeStrip(const Document& document, const PlayLink& link, QWidget
   m_close->setObjectName(QStringLiteral("closeNotice"));
   m_close->setText(QStringLiteral("✕"));
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 4, 0);
+  row->setContentsMargins(10, 6, 4, 6);
   row->addWidget(m_words, 1);
   row->addWidget(m_all);
   row->addWidget(m_close);
@@ -59,10 +59,11 @@ void NoticeStrip::refresh() {
   if (news || notices.empty()) m_closed.clear();
   setVisible(news);
   m_all->setToolTip(tr("Show everything that is to be said about this run in the list of problems"));
+  m_all->setAccessibleName(m_all->toolTip());
   m_close->setAccessibleName(tr("Close the notice"));
   m_close->setToolTip(tr("Close the notice"));
   if (!news) return;
-  const QString role = isGrave(notices[0].kind) ? QStringLiteral("problem") : QStringLiteral("notice");
+  const QString role = isGrave(notices[0].kind) ? QStringLiteral("graveNotice") : QStringLiteral("notice");
   if (m_words->property("role") != role) {
     m_words->setProperty("role", role);
     style()->unpolish(m_words);  // the style sheet looks at a role only once
