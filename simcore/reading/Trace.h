@@ -24,11 +24,12 @@ Result<std::vector<std::string>> tracePartsIn(const std::string& list);
 Result<std::vector<std::array<std::string, 2>>> tracePairsIn(const std::string& list);
 
 /// A table of how parts move and press on each other: a row at the start and one after every `every` steps. Columns: time;
-/// penetration (m, the deepest of all pairs that may collide at the row's state, as the report's penetrationMax is measured:
-/// PenetrationCheck on the collision surfaces, less what a dent lets pass; 0: nothing is inside anything); for each part ID.x y z (centre of mass, m), ID.vx vy vz (m/s), ID.qx qy qz qw (turn, unit quaternion), ID.wx wy wz (rad/s),
-/// as readPart has them; for each pair A:B.contacts (that press), A:B.fx fy fz (force on A with friction, N), A:B.normal (sum of
-/// normal forces, N), of the last step before the row, and A:B.penetration (m, of that pair). Depths are the caller's to
-/// measure; where nobody did, or nothing may collide, their cells are empty. The model must outlive it.
+/// penetration (m, the deepest of all pairs that may collide at the row's state, as the report's penetrationMax is
+/// measured: PenetrationCheck on the collision surfaces, less what a dent lets pass; 0: nothing is inside anything); for
+/// each part ID.x y z (centre of mass, m), ID.vx vy vz (m/s), ID.qx qy qz qw (turn, unit quaternion), ID.wx wy wz (rad/s),
+/// as readPart has them; for each pair A:B.contacts (that press), A:B.fx fy fz (force on A with friction, N), A:B.normal
+/// (sum of normal forces, N), of the last step before the row, and A:B.penetration (m, of that pair). Depths are the
+/// caller's to measure; where nobody did, or nothing may collide, their cells are empty. The model must outlive it.
 class Trace {
  public:
   /// Fails with UnknownId (arguments: id, "part") or BadUsage (a pair of a part with itself).
