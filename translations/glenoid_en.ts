@@ -407,6 +407,16 @@
     </message>
 </context>
 <context>
+    <name>glenoid::NoticeStrip</name>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n more</numerusform>
+            <numerusform>%n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::ProblemsPanel</name>
     <message numerus="yes">
         <source>%n error(s)</source>
@@ -427,6 +437,13 @@
         <translation>
             <numerusform>%n note</numerusform>
             <numerusform>%n notes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n notice(s) about the run</source>
+        <translation>
+            <numerusform>%n notice about the run</numerusform>
+            <numerusform>%n notices about the run</numerusform>
         </translation>
     </message>
 </context>

@@ -2110,6 +2110,96 @@
     </message>
 </context>
 <context>
+    <name>glenoid::LoadEdits</name>
+    <message>
+        <source>Change the time in which loads rise</source>
+        <translation>Cambiar el tiempo en que crecen las cargas</translation>
+    </message>
+    <message>
+        <source>Change a load on “%1”</source>
+        <translation>Cambiar una carga sobre «%1»</translation>
+    </message>
+    <message>
+        <source>Add a load on “%1”</source>
+        <translation>Añadir una carga sobre «%1»</translation>
+    </message>
+    <message>
+        <source>Remove a load from “%1”</source>
+        <translation>Quitar una carga de «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::LoadFields</name>
+    <message>
+        <source>Loads</source>
+        <translation>Cargas</translation>
+    </message>
+    <message>
+        <source>Add a load</source>
+        <translation>Añadir una carga</translation>
+    </message>
+    <message>
+        <source>Time in which loads rise</source>
+        <translation>Tiempo en que crecen las cargas</translation>
+    </message>
+    <message>
+        <source>Loads rise evenly from nothing over this time from the start; 0: they are whole at once</source>
+        <translation>Las cargas crecen por igual desde cero durante este tiempo desde el comienzo; 0: están completas enseguida</translation>
+    </message>
+    <message>
+        <source>They rise over (s):</source>
+        <translation>Crecen durante (s):</translation>
+    </message>
+    <message>
+        <source>%1. On “%2”</source>
+        <translation>%1. Sobre «%2»</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Quitar</translation>
+    </message>
+    <message>
+        <source>Remove load %1</source>
+        <translation>Quitar la carga %1</translation>
+    </message>
+    <message>
+        <source>Force (N):</source>
+        <translation>Fuerza (N):</translation>
+    </message>
+    <message>
+        <source>Torque (N·m):</source>
+        <translation>Par (N·m):</translation>
+    </message>
+    <message>
+        <source>Point (mm):</source>
+        <translation>Punto (mm):</translation>
+    </message>
+    <message>
+        <source>at the origin, as the part carries it</source>
+        <translation>en el origen, tal como lo lleva la pieza</translation>
+    </message>
+    <message>
+        <source>spread over the part as its weight is</source>
+        <translation>repartida sobre la pieza como su peso</translation>
+    </message>
+    <message>
+        <source>Where:</source>
+        <translation>Dónde:</translation>
+    </message>
+    <message>
+        <source>Force of load %1 along %2</source>
+        <translation>Fuerza de la carga %1 según %2</translation>
+    </message>
+    <message>
+        <source>Torque of load %1 about %2</source>
+        <translation>Par de la carga %1 alrededor de %2</translation>
+    </message>
+    <message>
+        <source>Point of load %1 along %2</source>
+        <translation>Punto de la carga %1 según %2</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::MainWindow</name>
     <message>
         <source>&amp;File</source>
@@ -2638,6 +2728,24 @@
     </message>
 </context>
 <context>
+    <name>glenoid::NoticeStrip</name>
+    <message>
+        <source>Show everything that is to be said about this run in the list of problems</source>
+        <translation>Mostrar en la lista de problemas todo lo que hay que decir de esta ejecución</translation>
+    </message>
+    <message>
+        <source>Close the notice</source>
+        <translation>Cerrar el aviso</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n más</numerusform>
+            <numerusform>%n más</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::PartEdits</name>
     <message>
         <source>Rename “%1”</source>
@@ -3028,6 +3136,17 @@
         <source>This one needs your judgement.</source>
         <translation>Este requiere su criterio.</translation>
     </message>
+    <message>
+        <source>Of this run</source>
+        <translation>De esta ejecución</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n notice(s) about the run</source>
+        <translation>
+            <numerusform>%n aviso sobre la ejecución</numerusform>
+            <numerusform>%n avisos sobre la ejecución</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PropertiesPanel</name>
@@ -3298,6 +3417,30 @@
     <message>
         <source>Colour of the part</source>
         <translation>Color de la parte</translation>
+    </message>
+    <message>
+        <source>State:</source>
+        <translation>Estado:</translation>
+    </message>
+    <message>
+        <source>At rest: the loads are whole and no part moves faster than %1 mm/s</source>
+        <translation>En reposo: las cargas están completas y ninguna pieza se mueve a más de %1 mm/s</translation>
+    </message>
+    <message>
+        <source>not run yet</source>
+        <translation>aún no se ha ejecutado</translation>
+    </message>
+    <message>
+        <source>loads are rising</source>
+        <translation>las cargas están creciendo</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>en reposo</translation>
+    </message>
+    <message>
+        <source>moving at up to %1 mm/s</source>
+        <translation>en movimiento, a %1 mm/s como máximo</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,9 @@
 
 namespace glenoid {
 
-Result<Done> saveOutcome(const RunReport& report, const std::string& path) { return writeWholeFile(path, toJson(report)); }
+Result<Done> saveOutcome(const RunReport& report, const std::string& path) {
+  return writeWholeFile(path, toJson(report, [](const Notice& notice) { return sentenceOf(notice).toStdString(); }));
+}
 
 Result<Done> saveOutcome(const Recording& recording, const std::string& path) { return saveRecording(recording, path); }
 

@@ -11,6 +11,7 @@
 #include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
+#include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
 #include "simcore/reading/Tissue.h"
@@ -104,7 +105,9 @@ Result<Done> run(const Wishes& wishes) {
     Result<Trace> made = Trace::make(**model, *asked);
     if (!made) return made.error();
     trace = std::move(*made);
-    trace->begin((*model)->start);
+    PenetrationProbe probe(**model, SurfaceKind::Collision);
+    probe.look((*model)->start.q);
+    trace->begin((*model)->start, probe.lastLook());
   }
   if (!wishes.vtu.empty())
     if (const auto tissue = tissueVtu(**model, (*model)->start); !tissue) return tissue.error();
@@ -126,7 +129,7 @@ Result<Done> run(const Wishes& wishes) {
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
   options.realtime = wishes.realtime;
-  if (trace) options.observe = [&trace](const StepReport& step, const State& state) { trace->add(step, state); };
+  if (trace) options.observe = [&trace](const StepReport& step, const State& state, std::span<const Penetration> depths) { trace->add(step, state, depths); };
   ProgressLine progress("Running " + wishes.scenario);
   options.progress = [&](double fraction) {
     progress.show(fraction);
@@ -186,12 +189,12 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--state", wishes->state,
                       "Write where parts are and what acts on them at the end as JSON (schemas/run-state.schema.json)");
   auto* trace = command->add_option("--trace", wishes->trace,
-                                    "Write a table (CSV) of how parts move and press on each other, a row at the start and every N steps");
+                                    "Write a table (CSV) of how parts move, press on each other and lie in each other, a row at the start and every N steps");
   command->add_option("--every", wishes->every, "Steps between two rows of the trace")->check(CLI::Range(1, 1000000000))->needs(trace);
   command->add_option("--trace-parts", wishes->traceParts, "Parts or tools of the trace, as ID,ID,…; without it all that move")
       ->needs(trace);
   command->add_option("--trace-pairs", wishes->tracePairs,
-                      "Pairs whose contact force the trace holds, on the first of each, as ID:ID,…; without it all that touch")
+                      "Pairs whose contact force (on the first of each) and depth the trace holds, as ID:ID,…; without it all that touch")
       ->needs(trace);
   command->add_option("--vtu", wishes->vtu,
                       "Write displacement, strain, stress and von Mises stress of the soft parts at the end as VTK unstructured grid");

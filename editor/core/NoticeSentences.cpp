@@ -3,7 +3,9 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QStringList>
 
+#include "editor/core/AnatomyNames.h"
 #include "editor/core/Sentences.h"
 
 namespace glenoid {
@@ -13,13 +15,21 @@ struct NoticeSentences {
   Q_DECLARE_TR_FUNCTIONS(glenoid::NoticeSentences)
  public:
   static QString of(const UnusedSetting& unused);
-  static QString of(const Notice& notice);
+  static QString of(const Notice& notice, const NameOf& nameOf);
   static QString departure(const QString& word);
 };
 
 QString words(const std::string& id) { return QString::fromStdString(id); }
 QString millimetres(double metres) { return QLocale().toString(metres * 1e3, 'g', 3); }
 QString number(double value, int digits = 3) { return QLocale().toString(value, 'g', digits); }
+
+/// "tool / part", each by its name.
+template <class Name>
+QString namesOf(const std::string& ids, const Name& name) {
+  QStringList names;
+  for (const QString& id : words(ids).split(QStringLiteral(" / "))) names << name(id.toStdString());
+  return names.join(QStringLiteral(" / "));
+}
 
 QString NoticeSentences::of(const UnusedSetting& unused) {
   switch (unused.why) {
@@ -35,8 +45,9 @@ QString NoticeSentences::of(const UnusedSetting& unused) {
 
 // One case for each kind and no default: the compiler names the one that is missing. The forms of arg() with several
 // texts leave a “%1” in a name alone.
-QString NoticeSentences::of(const Notice& n) {
-  const QString subject = words(n.subject), other = words(n.other), time = number(n.time, 4);
+QString NoticeSentences::of(const Notice& n, const NameOf& nameOf) {
+  const auto name = [&](const std::string& id) { return nameOf ? nameOf(id) : words(id); };
+  const QString time = number(n.time, 4);
   switch (n.kind) {
     case NoticeKind::UnusedSetting: return of(n.unused);
     case NoticeKind::EffectIdle:
@@ -44,22 +55,22 @@ QString NoticeSentences::of(const Notice& n) {
     case NoticeKind::TooDeep:
       return tr("“%1” and “%2” lay %3 mm deep in each other at %4 s, beyond the limit of %5 mm: what the run says after that is "
                 "not to be trusted.")
-          .arg(subject, other, millimetres(n.figure), time, millimetres(n.limit));
+          .arg(name(n.subject), name(n.other), millimetres(n.figure), time, millimetres(n.limit));
     case NoticeKind::TornAway:
       return tr("“%1” was carried %2 mm away by step %3 (%4 s), many times its own size of %5 mm: nothing holds it against its "
                 "loads.")
-          .arg(subject, millimetres(n.figure), QString::number(n.step), time, millimetres(n.limit));
+          .arg(name(n.subject), millimetres(n.figure), QString::number(n.step), time, millimetres(n.limit));
     case NoticeKind::Overstretched:
       return tr("“%1” was stretched to %2 times its length by step %3 (%4 s), where any tissue is torn: its loads are too large or "
                 "its material is too soft.")
-          .arg(subject, number(n.figure), QString::number(n.step), time);
+          .arg(name(n.subject), number(n.figure), QString::number(n.step), time);
     case NoticeKind::MarkMissed:
       return tr("The mark “%1” (%2) was missed: nothing pressed with 1 N while it lasted, at steps of %3 ms.")
-          .arg(subject, other, number(n.figure * 1e3));
+          .arg(words(n.subject), namesOf(n.other, name), number(n.figure * 1e3));
     case NoticeKind::PathCut:
       return tr("The steps are too long for the recording: the hand of “%1” passes its path at %2 s by %3 mm, and contact begins at "
                 "%4 mm.")
-          .arg(subject, time, millimetres(n.figure), millimetres(n.limit));
+          .arg(name(n.subject), time, millimetres(n.figure), millimetres(n.limit));
   }
   return {};
 }
@@ -79,7 +90,16 @@ QString NoticeSentences::departure(const QString& word) {
 
 QString sentenceOf(const UnusedSetting& unused) { return NoticeSentences::of(unused); }
 
-QString sentenceOf(const Notice& notice) { return NoticeSentences::of(notice); }
+QString sentenceOf(const Notice& notice, const NameOf& nameOf) { return NoticeSentences::of(notice, nameOf); }
+
+NameOf namesIn(const Joint& joint, const Scenario& scenario) {
+  return [&joint, &scenario](const std::string& id) {
+    const int part = findPart(joint, id), tool = findTool(scenario, id);
+    if (part >= 0 && !joint.parts[part].name.empty()) return anatomyName(joint.parts[part].name);
+    if (tool >= 0 && !scenario.tools[tool].name.empty()) return words(scenario.tools[tool].name);
+    return words(id);
+  };
+}
 
 QString paperDeparture(const std::string& word) { return NoticeSentences::departure(words(word)); }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/core/PlayLink.h"
 
+#include <algorithm>
+
 namespace glenoid {
 
-PlayLink::PlayLink(Document& document, Compiler compiler, StepMaker maker, QObject* parent)
-    : QObject(parent), m_document(document), m_compiler(std::move(compiler)), m_simulation(std::move(maker)) {
+PlayLink::PlayLink(Document& document, Compiler compiler, StepMaker maker, WatchMaker watchMaker, QObject* parent)
+    : QObject(parent), m_document(document), m_compiler(std::move(compiler)), m_simulation(std::move(maker), std::move(watchMaker)) {
   m_workers.setMaxThreadCount(1);
   connect(&document, &Document::changed, this, &PlayLink::onChanged);
   // Looking costs one atomic read; nothing is drawn unless something was published.
@@ -21,7 +23,13 @@ PlayLink::~PlayLink() {
 }
 
 void PlayLink::look() {
-  if (m_simulation.takeSnapshot()) emit snapshotChanged();
+  if (!m_simulation.takeSnapshot()) return;
+  emit snapshotChanged();
+  if (snapshot().notices == m_told) return;
+  m_told = snapshot().notices;
+  m_notices = m_told ? *m_told : std::vector<Notice>();
+  std::stable_sort(m_notices.begin(), m_notices.end(), [](const Notice& a, const Notice& b) { return isGrave(a.kind) && !isGrave(b.kind); });
+  emit noticesChanged();
 }
 
 void PlayLink::onChanged(const ChangeSet& changes) {

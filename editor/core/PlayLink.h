@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "editor/core/Document.h"
+#include "simcore/live/LiveWatch.h"
 #include "simcore/live/SimulationThread.h"
 
 namespace glenoid {
@@ -18,13 +19,15 @@ class PlayLink : public QObject {
  public:
   using Compiler = std::function<Result<std::shared_ptr<const Model>>(const Joint&, const Scenario&)>;
 
-  /// `document` must outlive this. Compiler and maker are the real ones outside of tests.
+  /// `document` must outlive this. Compiler and makers are the real ones outside of tests.
   explicit PlayLink(Document& document, Compiler compiler = compileModel, StepMaker maker = makeStepperStep,
-                    QObject* parent = nullptr);
+                    WatchMaker watchMaker = makeLiveWatch, QObject* parent = nullptr);
   ~PlayLink() override;
 
   /// What the run last published; its model is null until the first one is compiled.
   const Snapshot& snapshot() const { return m_simulation.snapshot(); }
+  /// What must be said about the run, those first after which its figures are not to be trusted (isGrave).
+  const std::vector<Notice>& notices() const { return m_notices; }
   bool isCompiling() const { return m_compiling > 0; }
   /// A recorded input exists for this scene, and whether tools that nobody holds follow it.
   bool hasRecording() const { return m_document.scene().input != nullptr; }
@@ -48,6 +51,7 @@ class PlayLink : public QObject {
 
  signals:
   void snapshotChanged();
+  void noticesChanged();
   void compilingChanged();
   void problem(const glenoid::Error& error);  ///< the last change cannot be simulated
   void compiled();                            ///< it can; snapshotChanged follows when the run has taken it
@@ -62,6 +66,8 @@ class PlayLink : public QObject {
   Compiler m_compiler;
   SimulationThread m_simulation;
   std::vector<HandWish> m_wishes;
+  std::shared_ptr<const std::vector<Notice>> m_told;  // as the run published them
+  std::vector<Notice> m_notices;                      // in order
   bool m_followRecording = true;
   long m_generation = 0;
   int m_compiling = 0;

@@ -18,6 +18,7 @@
 #include "editor/ui/HistoryPanel.h"
 #include "editor/ui/JobsBar.h"
 #include "editor/ui/LayersPanel.h"
+#include "editor/ui/NoticeStrip.h"
 #include "editor/ui/PartTree.h"
 #include "editor/ui/ProblemsPanel.h"
 #include "editor/ui/PropertiesPanel.h"
@@ -98,6 +99,13 @@ QWidget* MainWindow::makeCentre(const GlProbe& graphics) {
   row->addWidget(close);
   m_banner->hide();
   layout->addWidget(m_banner);
+  auto* notices = new NoticeStrip(m_document, m_link);
+  connect(notices, &NoticeStrip::allWanted, this, [this] {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("dock.problems"));
+    dock->show();
+    dock->raise();
+  });
+  layout->addWidget(notices);
   if (graphics.usable) {
     m_view = new SceneView(m_link, m_display, m_selection, graphics.software);
     connect(m_view, &SceneView::graphicsFailed, this, [this](const Error& error) { showProblem(sentenceOf(error)); });
@@ -144,7 +152,7 @@ void MainWindow::makeDocks() {
 
 /// Problems and history, in tabs behind the properties.
 void MainWindow::makeDocumentDocks() {
-  auto* problems = new ProblemsPanel(m_document, m_problems);
+  auto* problems = new ProblemsPanel(m_document, m_problems, m_link);
   connect(problems, &ProblemsPanel::showWanted, this, [this](const std::set<std::string>& parts) {
     if (parts.empty()) return;
     m_selection.assign(parts, *parts.begin());

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "editor/core/NoticeSentences.h"
 #include "editor/core/ProblemSentences.h"
 #include "editor/ui/Theme.h"
 #include "simcore/check/FixProblem.h"
@@ -32,8 +33,8 @@ std::set<std::string> partsOf(const Problem& problem) {
 
 }  // namespace
 
-ProblemsPanel::ProblemsPanel(Document& document, ProblemWatch& watch, QWidget* parent)
-    : QWidget(parent), m_document(document), m_watch(watch) {
+ProblemsPanel::ProblemsPanel(Document& document, ProblemWatch& watch, const PlayLink& link, QWidget* parent)
+    : QWidget(parent), m_document(document), m_watch(watch), m_link(link) {
   m_summary = new QLabel;
   m_summary->setObjectName(QStringLiteral("problemSummary"));
   m_summary->setWordWrap(true);
@@ -56,9 +57,11 @@ ProblemsPanel::ProblemsPanel(Document& document, ProblemWatch& watch, QWidget* p
   layout->addWidget(m_fix);
   connect(&watch, &ProblemWatch::changed, this, &ProblemsPanel::rebuild);
   connect(&watch, &ProblemWatch::checkingChanged, this, &ProblemsPanel::refresh);
+  connect(&link, &PlayLink::noticesChanged, this, &ProblemsPanel::rebuild);
   connect(m_list, &QListWidget::currentRowChanged, this, &ProblemsPanel::refresh);
   connect(m_list, &QListWidget::itemActivated, this, [this] {
     if (const Problem* problem = current()) emit showWanted(partsOf(*problem));
+    if (const Notice* notice = currentNotice()) emit showWanted(objectsOf(*notice));
   });
   connect(m_fix, &QPushButton::clicked, this, [this] {
     if (const Problem* problem = current()) m_watch.fix(*problem);
@@ -71,6 +74,18 @@ const Problem* ProblemsPanel::current() const {
   return row < 0 || row >= static_cast<int>(m_watch.problems().size()) ? nullptr : &m_watch.problems()[row];
 }
 
+const Notice* ProblemsPanel::currentNotice() const {
+  const int row = m_list->currentRow() - static_cast<int>(m_watch.problems().size());
+  return row < 0 || row >= static_cast<int>(m_notices.size()) ? nullptr : &m_notices[row];
+}
+
+std::set<std::string> ProblemsPanel::objectsOf(const Notice& notice) const {
+  std::set<std::string> parts;
+  for (const std::string& id : {notice.subject, notice.other})
+    if (findPart(m_document.joint(), id) >= 0 || findTool(m_document.scenario(), id) >= 0) parts.insert(id);
+  return parts;
+}
+
 void ProblemsPanel::rebuild() {
   const int row = m_list->currentRow();
   {
@@ -81,6 +96,18 @@ void ProblemsPanel::rebuild() {
       auto* item = new QListWidgetItem(themedTreeIcon(iconOf(problem.severity)), sentence, m_list);
       item->setToolTip(severityName(problem.severity));
       item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(severityName(problem.severity), sentence));
+    }
+    m_notices = m_link.notices();
+    std::erase_if(m_notices, [this](const Notice& notice) {
+      return notice.kind == NoticeKind::UnusedSetting &&
+             std::any_of(m_watch.problems().begin(), m_watch.problems().end(), [](const Problem& p) { return p.kind == ProblemKind::SettingUnused; });
+    });
+    for (const Notice& notice : m_notices) {
+      const Severity severity = isGrave(notice.kind) ? Severity::Error : Severity::Warning;
+      const QString sentence = sentenceOf(notice, namesIn(m_document.joint(), m_document.scenario()));
+      auto* item = new QListWidgetItem(themedTreeIcon(iconOf(severity)), sentence, m_list);
+      item->setToolTip(tr("Of this run"));
+      item->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(severityName(severity), sentence));
     }
     m_list->setCurrentRow(std::min(row, m_list->count() - 1));
   }
@@ -103,6 +130,7 @@ void ProblemsPanel::refresh() {
                           tr("%n note(s)", nullptr, report.count(Severity::Note))}
                   .join(tr(", "));
   }
+  if (!m_notices.empty()) summary += QLatin1Char('\n') + tr("%n notice(s) about the run", nullptr, static_cast<int>(m_notices.size()));
   m_summary->setText(summary);
   const Problem* problem = current();
   const QString fix = problem ? fixTitleOf(*problem, m_document.joint()) : QString();

@@ -14,6 +14,7 @@
 #include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QSpinBox>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -21,7 +22,9 @@
 #include "editor/core/PartEdits.h"
 #include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
+#include "editor/ui/LoadFields.h"
 #include "editor/ui/Numbers.h"
+#include "simcore/live/RestWatch.h"
 
 namespace glenoid {
 namespace {
@@ -124,6 +127,8 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
   scene->addRow(tr("Tetrahedra:"), label(number(tets)));
   scene->addRow(tr("Couplings:"), label(number(joint.couplings.size())));
   scene->addRow(tr("Time step:"), label(tr("%1 ms").arg(number(1e3 * scenario.dt, 1))));
+  scene->addRow(tr("State:"), restLabel());
+  layout.addWidget(new LoadFields(m_document, {}, m_editing));
   const auto& model = m_link.snapshot().model;
   if (!model) return;
   QFormLayout* effects = group(layout, tr("Effects"));
@@ -132,6 +137,26 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
     state->setToolTip(effectReason(effect.reason));
     effects->addRow(tr("%1:").arg(effectName(effect.name)), state);
   }
+}
+
+/// Refreshed five times a second, as the figures of the status bar.
+QLabel* PropertiesPanel::restLabel() {
+  QLabel* state = label({});
+  state->setObjectName(QStringLiteral("restState"));
+  state->setToolTip(tr("At rest: the loads are whole and no part moves faster than %1 mm/s").arg(number(1e3 * RestWatch::kSlow, 0)));
+  const auto refresh = [this, state] {
+    const RestState& rest = m_link.snapshot().rest;
+    const QString words = !rest.stepped   ? tr("not run yet")
+                          : rest.loadsRise ? tr("loads are rising")
+                          : rest.slow      ? tr("at rest")
+                                           : tr("moving at up to %1 mm/s").arg(number(1e3 * rest.speed, 1));
+    if (state->text() != words) state->setText(words);
+  };
+  auto* timer = new QTimer(state);
+  connect(timer, &QTimer::timeout, this, refresh);  // an old content outlives the panel where no event loop ran since
+  timer->start(200);
+  refresh();
+  return state;
 }
 
 void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
@@ -159,6 +184,7 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
       if (object.id == part.id) form->addRow(tr("Mass:"), label(tr("%1 g").arg(number(1e3 * object.mass, 1))));
     }
   }
+  if (movementOf(m_document.scenario(), part.id) != Movement::Fixed) layout.addWidget(new LoadFields(m_document, part.id, m_editing));
   showMaterials(layout, part);
   showCouplings(layout, part);
 }

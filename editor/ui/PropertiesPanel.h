@@ -6,6 +6,7 @@
 #include "editor/core/Selection.h"
 
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
@@ -14,7 +15,8 @@ class QVBoxLayout;
 namespace glenoid {
 
 /// What is known about the selected part or tool, in millimetres and kilopascals; name, number and
-/// colour of a part, stiffnesses and how it moves can be edited, each edit is one undo step. Without a selection: the scene as a whole and its effects.
+/// colour of a part, stiffnesses, loads and how it moves can be edited, each edit is one undo step. Without a selection: the scene as a whole,
+/// all its loads, whether its run is at rest, and its effects.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
  public:
@@ -28,6 +30,7 @@ class PropertiesPanel : public QScrollArea {
   void showScene(QVBoxLayout& layout);
   void showPart(QVBoxLayout& layout, const Part& part);
   void showTool(QVBoxLayout& layout, const Tool& tool);
+  QLabel* restLabel();
   QLineEdit* nameField(const Part& part);
   QSpinBox* numberField(const Part& part);
   QPushButton* colorButton(const Part& part);

@@ -113,6 +113,7 @@ struct PenetrationCheck::Work {
   Penetration worst;
   std::span<const double> allowed;
 
+  void update(std::span<const std::span<const Vec3>> positions, std::span<const double> free);
   void pair(int index);
   void probe(int pair, const Body& other, const std::vector<char>& skipOther, const Vec3& p);
   void side(int pair, const Body& mine, const Part& part, const Body& other,
@@ -203,17 +204,33 @@ PenetrationCheck::~PenetrationCheck() = default;
 PenetrationCheck::PenetrationCheck(PenetrationCheck&&) noexcept = default;
 PenetrationCheck& PenetrationCheck::operator=(PenetrationCheck&&) noexcept = default;
 
+void PenetrationCheck::Work::update(std::span<const std::span<const Vec3>> positions, std::span<const double> free) {
+  assert(positions.size() == bodies.size());
+  for (std::size_t s = 0; s < bodies.size(); ++s) {
+    if (used[s]) bodies[s].update(positions[s]);
+  }
+  assert(free.empty() || free.size() == pairs.size());
+  allowed = free;
+  worst = {};
+}
+
 Penetration PenetrationCheck::deepest(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed) {
   Work& w = *m_work;
-  assert(positions.size() == w.bodies.size());
-  for (std::size_t s = 0; s < w.bodies.size(); ++s) {
-    if (w.used[s]) w.bodies[s].update(positions[s]);
-  }
-  assert(allowed.empty() || allowed.size() == w.pairs.size());
-  w.worst = {};
-  w.allowed = allowed;
+  w.update(positions, allowed);
   for (int p = 0; p < static_cast<int>(w.pairs.size()); ++p) w.pair(p);
   return w.worst;
+}
+
+void PenetrationCheck::eachPair(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed,
+                                std::vector<Penetration>& found) {
+  Work& w = *m_work;
+  w.update(positions, allowed);
+  found.resize(w.pairs.size());
+  for (int p = 0; p < static_cast<int>(w.pairs.size()); ++p) {
+    w.worst = {};
+    w.pair(p);
+    found[static_cast<std::size_t>(p)] = w.worst;
+  }
 }
 
 Penetration deepestPenetration(std::span<const std::shared_ptr<const CollisionSurface>> surfaces,

@@ -35,6 +35,9 @@ class PenetrationCheck {
   /// lies no deeper is where it may be; empty: nothing.
   Penetration deepest(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed = {});
 
+  /// The same for every pair by itself; `found` gets one entry for each pair, with pair −1 and depth 0 where nothing is inside.
+  void eachPair(std::span<const std::span<const Vec3>> positions, std::span<const double> allowed, std::vector<Penetration>& found);
+
  private:
   struct Work;
   std::unique_ptr<Work> m_work;

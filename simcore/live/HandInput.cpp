@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/live/HandInput.h"
 
+#include <algorithm>
+
 #include "simcore/base/Turns.h"
 
 namespace glenoid {
@@ -47,6 +49,10 @@ void HandInput::change(const Scenario& scenario, std::shared_ptr<const Recording
       m_followers[i].gliding = followers[old].gliding || !samePath;  // the hand may be off another recording's path
     }
   }
+}
+
+bool HandInput::onPath() const {
+  return m_recording != nullptr && std::none_of(m_followers.begin(), m_followers.end(), [](const Follower& f) { return f.gliding; });
 }
 
 const std::vector<Pose>& HandInput::advance(const std::vector<HandWish>& wishes, double time, double dt) {

@@ -31,6 +31,8 @@ class HandInput {
   /// Hand poses at the end of the step that reaches `time`; `wishes` by tool order, may be shorter.
   const std::vector<Pose>& advance(const std::vector<HandWish>& wishes, double time, double dt);
   const std::vector<Pose>& hands() const { return m_hands; }
+  /// There is a recording, and every hand is where it has it: none is held, on its way back, or was left somewhere else.
+  bool onPath() const;
 
  private:
   struct Follower {

@@ -10,7 +10,7 @@ namespace glenoid {
 enum class NoticeKind {
   UnusedSetting,  ///< `unused` says which; subject: its name
   EffectIdle,     ///< subject: an effect that was switched on and finds nothing to act on
-  TooDeep,        ///< subject, other: two objects; figure: depth, limit: the most that is let pass, m; the run fails
+  TooDeep,        ///< subject, other: two objects, once a pair; figure: depth, limit: the most that is let pass, m; the run fails
   TornAway,       ///< subject: a part; figure: how far its middle went, limit: its size, m
   Overstretched,  ///< subject: a soft part; figure: longest edge of its tetrahedra over its length at rest, limit: what tissue stands
   MarkMissed,     ///< subject: a mark; other: its tool and part, as far as it names them; figure: Δt, s
@@ -21,6 +21,11 @@ inline constexpr int kNoticeKindCount = static_cast<int>(NoticeKind::PathCut) + 
 
 /// English word of a kind, for reports and tests: "unused-setting", …
 const char* noticeName(NoticeKind kind);
+
+/// Whether what the run says after that is not to be trusted: too deep, torn away, overstretched.
+constexpr bool isGrave(NoticeKind kind) {
+  return kind == NoticeKind::TooDeep || kind == NoticeKind::TornAway || kind == NoticeKind::Overstretched;
+}
 
 /// Something that whoever reads the figures of a run should be told first. The sentence is made at the top
 /// (editor/core/NoticeSentences).

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/live/PenetrationProbe.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "simcore/body/SurfaceBinding.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -61,7 +64,6 @@ void PenetrationProbe::setLimit(std::optional<double> depth) {
     for (const int object : {pair.surfaceA, pair.surfaceB}) limit = std::min(limit, thicknessOf(*surfaceOf(m_model.objects[object], m_kind).mesh) / 3);
     m_limits.push_back(depth.value_or(limit));
   }
-  m_leastLimit = m_limits.empty() ? HUGE_VAL : *std::min_element(m_limits.begin(), m_limits.end());
 }
 
 void PenetrationProbe::look(const VecX& q, std::span<const DentView> dents, double time, long step) {
@@ -76,22 +78,29 @@ void PenetrationProbe::look(const VecX& q, std::span<const DentView> dents, doub
       if ((pair.surfaceA == dent.object && pair.surfaceB == dent.tool) || (pair.surfaceA == dent.tool && pair.surfaceB == dent.object))
         m_allowed[p] = std::max(m_allowed[p], dent.depth);
     }
-  const Penetration found = m_check.deepest(m_spans, m_allowed);
-  if (found.pair >= 0 && !m_limits.empty() && found.depth > m_leastLimit) lookBeyondLimits(time, step);
-  if (found.pair < 0 || found.depth <= m_deepest) return;
-  m_deepest = found.depth;
-  const CollisionPair& pair = m_model.collisionPairs[found.pair];
-  m_where = m_model.objects[pair.surfaceA].id + " / " + m_model.objects[pair.surfaceB].id;
+  m_check.eachPair(m_spans, m_allowed, m_found);
+  for (std::size_t p = 0; p < m_found.size(); ++p) {
+    const double depth = m_found[p].depth;
+    const CollisionPair& pair = m_model.collisionPairs[p];
+    const std::string &a = m_model.objects[pair.surfaceA].id, &b = m_model.objects[pair.surfaceB].id;
+    if (depth > m_deepest) {
+      m_deepest = depth;
+      m_where = a + " / " + b;
+    }
+    if (m_limits.empty() || !(depth > m_limits[p])) continue;
+    auto notice = std::find_if(m_beyond.begin(), m_beyond.end(), [&](const Notice& n) { return n.subject == a && n.other == b; });
+    if (notice == m_beyond.end()) notice = m_beyond.insert(notice, {NoticeKind::TooDeep, a, b, 0, m_limits[p], 0, 0, {}});
+    if (depth <= notice->figure) continue;
+    notice->figure = depth;
+    notice->time = time;
+    notice->step = step;
+  }
 }
 
-void PenetrationProbe::lookBeyondLimits(double time, long step) {
-  for (std::size_t p = 0; p < m_limits.size(); ++p) m_allowed[p] += m_limits[p];
-  const Penetration beyond = m_check.deepest(m_spans, m_allowed);
-  if (beyond.pair < 0 || !(beyond.depth > 0)) return;
-  const double limit = m_limits[beyond.pair], depth = beyond.depth + limit;
-  if (m_tooDeep && depth * m_tooDeep->limit <= m_tooDeep->figure * limit) return;
-  const CollisionPair& pair = m_model.collisionPairs[beyond.pair];
-  m_tooDeep = Notice{NoticeKind::TooDeep, m_model.objects[pair.surfaceA].id, m_model.objects[pair.surfaceB].id, depth, limit, time, step, {}};
+std::vector<Notice> PenetrationProbe::tooDeep() const {
+  std::vector<Notice> notices = m_beyond;
+  std::stable_sort(notices.begin(), notices.end(), [](const Notice& a, const Notice& b) { return a.figure * b.limit > b.figure * a.limit; });
+  return notices;
 }
 
 }  // namespace glenoid

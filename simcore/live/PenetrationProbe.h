@@ -29,15 +29,17 @@ class PenetrationProbe {
   /// The state vector of one moment and the dents of the step that led to it: a tip counts from the bottom of its dent.
   void look(const VecX& q, std::span<const DentView> dents = {}, double time = 0, long step = 0);
 
-  /// What went furthest beyond its limit, as a share of that; nothing where all stayed within.
-  const std::optional<Notice>& tooDeep() const { return m_tooDeep; }
+  /// One notice for each pair that went beyond its limit, of its deepest moment; first the one furthest beyond, as a share of
+  /// its limit. Empty where all stayed within.
+  std::vector<Notice> tooDeep() const;
+
+  /// By pair of the model, of the last look alone; depth 0 where nothing is inside.
+  std::span<const Penetration> lastLook() const { return m_found; }
 
   double deepest() const { return m_deepest; }        ///< m
   const std::string& where() const { return m_where; }  ///< "id of a / id of b", empty when nothing is inside
 
  private:
-  void lookBeyondLimits(double time, long step);
-
   const Model& m_model;
   SurfaceKind m_kind;
   std::vector<std::vector<Vec3>> m_positions;
@@ -45,8 +47,8 @@ class PenetrationProbe {
   PenetrationCheck m_check;
   std::vector<double> m_allowed;  ///< by pair, m
   std::vector<double> m_limits;   ///< by pair, m; empty: none
-  double m_leastLimit = 0;        ///< of them
-  std::optional<Notice> m_tooDeep;
+  std::vector<Penetration> m_found;
+  std::vector<Notice> m_beyond;   ///< one for a pair, in the order they came
   double m_deepest = 0;
   std::string m_where;
 };

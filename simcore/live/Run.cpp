@@ -100,11 +100,11 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     // The hand's pose at the step's end is what the implicit step pulls towards.
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
-    gather.add(step, time);
+    gather.add(step, time, state.v);
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
-    if (options.observe) options.observe(step, state);
+    if (options.observe) options.observe(step, state, collision ? collision->lastLook() : std::span<const Penetration>());
     if (s + 1 == *steps) {
       result.contacts = step.contactViews;
       result.dents = step.dents;
@@ -140,7 +140,8 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   report.notices = noticesBefore(*model, options.input, report.seconds);
   for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);
   if (watch) report.notices.insert(report.notices.end(), watch->notices().begin(), watch->notices().end());
-  if (collision && collision->tooDeep()) report.notices.push_back(*collision->tooDeep());
+  if (collision)
+    for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);
   if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);
   if (pacer) report.pace = pacer->report();
   if (options.record) result.recording = recordingOf(*model, options, report);

@@ -3,9 +3,11 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "simcore/base/Error.h"
+#include "simcore/collide/Penetration.h"
 #include "simcore/live/RunReport.h"
 #include "simcore/scene/Recording.h"
 #include "simcore/step/Stepper.h"
@@ -23,7 +25,9 @@ struct RunOptions {
   bool checks = true;               ///< penetration on collision and visual surfaces, outside the step's time
   std::optional<double> failDepth;  ///< m: deeper is a notice TooDeep; infinite: never; nothing: PenetrationProbe's own limits
   int visualEvery = 50;             ///< steps between two checks of the visual surfaces; 0: never
-  std::function<void(const StepReport&, const State&)> observe;  ///< after every step, outside its time; for traces
+  /// After every step, outside its time; for traces. `depths`: how deep each pair of the model lies, as the report's
+  /// penetration is measured; empty without checks.
+  std::function<void(const StepReport& step, const State& state, std::span<const Penetration> depths)> observe;
   std::function<bool(double fraction)> progress;  ///< after every step, 0…1; false cancels
 };
 

@@ -6,29 +6,6 @@
 namespace glenoid {
 namespace {
 
-constexpr double kSettling = 1.0, kRestLength = 0.5;  // s
-
-bool samePose(const Pose& a, const Pose& b) {
-  return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs();
-}
-
-int objectOf(const Model& model, const std::string& id, bool tool) {
-  for (std::size_t i = 0; i < model.objects.size(); ++i)
-    if (model.objects[i].tool == tool && model.objects[i].id == id) return static_cast<int>(i);
-  return -1;
-}
-
-/// Net force that contacts put on `first` from `second` (either may be −1: any object of that side), N.
-/// A contact's normal points from b to a, so a is pushed along it.
-Vec3 netForce(const std::vector<ContactView>& contacts, int first, int second) {
-  Vec3 sum = Vec3::Zero();
-  for (const ContactView& c : contacts) {
-    if (c.objectA == first && (second < 0 || c.objectB == second)) sum += c.force * c.normal_W + c.friction_W;
-    else if (c.objectB == first && (second < 0 || c.objectA == second)) sum -= c.force * c.normal_W + c.friction_W;
-  }
-  return sum;
-}
-
 /// The stages that only one effect has. What several effects share (gravity, couplings and damping are all
 /// assembled at once) has no time of its own.
 struct EffectStages {
@@ -52,43 +29,18 @@ const std::vector<EffectStages>& effectStages() {
 
 }  // namespace
 
-std::optional<double> firstMotion(const Recording* input) {
-  std::optional<double> first;
-  if (!input) return first;
-  for (const HandTrack& track : input->tracks)
-    for (std::size_t k = 1; k < track.keys.size(); ++k)
-      if (!samePose(track.keys[k].hand, track.keys[k - 1].hand)) {
-        const double begin = track.keys[k - 1].time;
-        if (!first || begin < *first) first = begin;
-        break;
-      }
-  return first;
-}
-
-RestWindow restWindow(std::optional<double> motion, double runSeconds) {
-  const double end = std::min(motion.value_or(runSeconds), runSeconds);
-  return {std::max(kSettling, end - kRestLength), end};
-}
-
 RunGather::RunGather(const Model& model, const Recording* input, long steps, Profile profile)
     : m_model(model),
-      m_rest(restWindow(firstMotion(input), static_cast<double>(steps) * model.scenario.dt)),
+      m_rest(model, input),
       m_dt(model.scenario.dt),
+      m_marks(model, input),
       m_paper(profile == Profile::Paper) {
   m_step.reserve(steps);
   m_wall.reserve(steps);
   for (auto& stage : m_stages) stage.reserve(steps);
-  if (!input) return;
-  for (const RecordingMark& mark : input->marks) {
-    Mark entry;
-    entry.report = {mark.name, mark.tool, mark.part, mark.begin, mark.end, 0, 0};
-    entry.tool = mark.tool.empty() ? -1 : objectOf(model, mark.tool, true);
-    entry.part = mark.part.empty() ? -1 : objectOf(model, mark.part, false);
-    m_marks.push_back(entry);
-  }
 }
 
-void RunGather::add(const StepReport& step, double time) {
+void RunGather::add(const StepReport& step, double time, const VecX& v) {
   ++m_steps;
   if (!step.taken) ++m_rejected;
   if (step.parts > 1) ++m_cut;
@@ -108,35 +60,14 @@ void RunGather::add(const StepReport& step, double time) {
   m_contactSolver.rowsMax = std::max(m_contactSolver.rowsMax, step.contactSolver.rowsMax);
   m_residual = std::max(m_residual, step.residual);
   m_complementarity = std::max(m_complementarity, step.complementarity);
-  // Half a step of slack: times are sums of steps and carry their round-off.
-  if (time > m_rest.begin - m_dt / 2 && time < m_rest.end - m_dt / 2) {
-    m_restContacts += step.contacts;
-    m_restPressing += step.pressing;
-    ++m_restSteps;
-  }
+  m_rest.add(step, time, v);
   m_step.push_back(static_cast<float>(step.stepCpuMs));
   m_wall.push_back(static_cast<float>(step.stepWallMs));
   m_wallMs += step.stepWallMs;
   m_cpuMs += step.stepCpuMs;
   for (int s = 0; s < kStageCount; ++s) m_stages[s].push_back(static_cast<float>(step.cpuMs[s]));
-  addMarks(step, time);
+  m_marks.add(step, time);
   if (m_paper) addPaper(step.paper, step.contacts > 0);
-}
-
-void RunGather::addMarks(const StepReport& step, double time) {
-  for (Mark& mark : m_marks) {
-    if (time < mark.report.begin - m_dt / 2 || time >= mark.report.end - m_dt / 2) continue;
-    double force = 0;
-    if (mark.tool >= 0) {
-      force = netForce(step.contactViews, mark.tool, mark.part).norm();
-    } else {  // any tool: the one that pushes hardest
-      for (std::size_t i = 0; i < m_model.objects.size(); ++i)
-        if (m_model.objects[i].tool)
-          force = std::max(force, netForce(step.contactViews, static_cast<int>(i), mark.part).norm());
-    }
-    mark.report.forceMax = std::max(mark.report.forceMax, force);
-    if (force >= 1.0) mark.report.seconds += m_dt;
-  }
 }
 
 void RunGather::addPaper(const PaperReport& paper, bool contact) {
@@ -170,10 +101,10 @@ void RunGather::finish(RunReport& report) {
   report.complementarity = m_complementarity;
   report.contactIslandsMax = m_islandsMax;
   report.contacts = {std::nullopt, std::nullopt, "", m_contacts / n, m_pressing / n, m_contactMax, m_pressingMax, m_droppedMax};
-  if (m_restSteps > 0) {
-    report.contacts.rest = m_restContacts / static_cast<double>(m_restSteps);
-    report.contacts.pressingRest = m_restPressing / static_cast<double>(m_restSteps);
-  } else report.contacts.restReason = "no-rest-after-one-second-of-settling";
+  if (const auto rest = m_rest.contacts()) {
+    report.contacts.rest = rest->rows;
+    report.contacts.pressingRest = rest->pressing;
+  } else report.contacts.restReason = m_rest.reason();
   report.stepsPerSecond = m_wallMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_wallMs : 0;
   report.stepsPerCpuSecond = m_cpuMs > 0 ? 1000.0 * static_cast<double>(m_steps) / m_cpuMs : 0;
 
@@ -198,7 +129,7 @@ void RunGather::finish(RunReport& report) {
   report.step = timingOf(m_step);
   report.stepWall = timingOf(m_wall);
   for (int s = 0; s < kStageCount; ++s) report.stages[s] = timingOf(m_stages[s]);
-  for (const Mark& mark : m_marks) report.marks.push_back(mark.report);
+  report.marks = m_marks.reports();
   if (m_paper) {
     m_paperSummary.outerIterationsMean = m_outerSteps ? m_outer / static_cast<double>(m_outerSteps) : 0;
     report.diverged = m_paperSummary.divergedSteps > 0;

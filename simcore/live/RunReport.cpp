@@ -139,7 +139,13 @@ std::vector<PartReport> partReports(const Model& model) {
   return reports;
 }
 
-std::string toJson(const RunReport& r) {
+std::string toJson(const RunReport& r, const std::function<std::string(const Notice&)>& sentence) {
+  Json notices = Json::array();
+  for (const Notice& notice : r.notices) {
+    Json json = toJson(notice);
+    if (sentence) json.set("sentence", sentence(notice));
+    notices.append(std::move(json));
+  }
   Json json = object(
       {{"schemaVersion", 1}, {"scenario", r.scenario}, {"profile", r.profile}, {"solver", r.solver}, {"dt", r.dt}, {"steps", r.steps},
        {"seconds", r.seconds}, {"build", r.build}, {"isa", r.isa}, {"seed", r.seed}, {"threads", r.threads},
@@ -155,7 +161,7 @@ std::string toJson(const RunReport& r) {
        {"islands", object({{"coupling", r.couplingIslands}, {"contactMax", r.contactIslandsMax}})},
        {"contacts", toJson(r.contacts)}, {"ms", timesOf(r)}, {"penetrationMax", r.penetrationMax},
        {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},
-       {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}, {"notices", listOf(r.notices)}});
+       {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}, {"notices", notices}});
   if (r.paper) json.set("paper", toJson(*r.paper));
   if (r.pace) {
     json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},

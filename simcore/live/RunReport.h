@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,7 +55,7 @@ struct MarkReport {
 
 /// Rows over the steps, and those of them that press (StepReport); words as in the README of this folder.
 struct ContactCounts {
-  std::optional<double> rest, pressingRest;  ///< means at rest; nothing when the run has no such window
+  std::optional<double> rest, pressingRest;  ///< means at rest (RestWatch); nothing when the run has not come to rest
   std::string restReason;                    ///< why not
   double mean = 0, pressingMean = 0;
   int max = 0, pressingMax = 0;
@@ -121,8 +122,9 @@ struct RunReport {
 /// The parts of a model as reports and tables show them.
 std::vector<PartReport> partReports(const Model& model);
 
-/// Indented JSON that resources/schemas/run-report.schema.json describes; ends with a line break.
-std::string toJson(const RunReport& report);
+/// Indented JSON that resources/schemas/run-report.schema.json describes; ends with a line break. `sentence` says a notice to
+/// people; without it the report holds their words and figures only.
+std::string toJson(const RunReport& report, const std::function<std::string(const Notice&)>& sentence = {});
 
 /// "direct", "paper", "reference".
 const char* profileName(Profile profile);

@@ -109,16 +109,20 @@ std::vector<Notice> noticesBefore(const Model& model, const Recording* input, do
   return notices;
 }
 
+bool isMissed(const MarkReport& mark) { return (!mark.tool.empty() || !mark.part.empty()) && !(mark.seconds > 0); }
+
+Notice missedMark(const MarkReport& mark, double dt) {
+  const std::string between = mark.tool.empty() || mark.part.empty() ? "" : " / ";
+  return {NoticeKind::MarkMissed, mark.name, mark.tool + between + mark.part, dt, 0, mark.begin, std::lround(mark.begin / dt), {}};
+}
+
 std::vector<Notice> missedMarks(const RunReport& report) {
   std::vector<Notice> notices;
   const bool contact = std::any_of(report.effects.begin(), report.effects.end(),
                                    [](const EffectReport& effect) { return effect.name == "contact" && effect.state == "on"; });
   if (!contact) return notices;
-  for (const MarkReport& mark : report.marks) {
-    if ((mark.tool.empty() && mark.part.empty()) || mark.seconds > 0 || mark.end > report.seconds + 0.5 * report.dt) continue;
-    const std::string between = mark.tool.empty() || mark.part.empty() ? "" : " / ";
-    notices.push_back({NoticeKind::MarkMissed, mark.name, mark.tool + between + mark.part, report.dt, 0, mark.begin, std::lround(mark.begin / report.dt), {}});
-  }
+  for (const MarkReport& mark : report.marks)
+    if (isMissed(mark) && mark.end <= report.seconds + 0.5 * report.dt) notices.push_back(missedMark(mark, report.dt));
   return notices;
 }
 

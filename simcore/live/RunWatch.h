@@ -39,8 +39,12 @@ class RunWatch {
 /// recording whose path Δt cuts short by more than the contact distance within the first `seconds`.
 std::vector<Notice> noticesBefore(const Model& model, const Recording* input, double seconds);
 
-/// Marks that the run covers and during whose whole length the net contact force on what they name stayed below 1 N: what
-/// they were recorded for did not happen. Nothing where contact is off or a mark names neither tool nor part.
+/// Whether the net contact force on what a mark names, tool or part, stayed below 1 N during its whole length: what it was
+/// recorded for did not happen. A mark that names neither is never missed.
+bool isMissed(const MarkReport& mark);
+Notice missedMark(const MarkReport& mark, double dt);
+
+/// The missed marks of those that the run covers; nothing where contact is off.
 std::vector<Notice> missedMarks(const RunReport& report);
 
 }  // namespace glenoid

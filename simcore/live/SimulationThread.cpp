@@ -30,7 +30,7 @@ struct SetModel {
 struct SetRecording {
   std::shared_ptr<const Recording> recording;
 };
-enum class Order { Play, Pause, StepOnce, Reset, Quit };
+enum class Order { Play, Pause, StepOnce, Reset, Publish, Quit };
 using Command = std::variant<SetModel, SetRecording, Order>;
 
 }  // namespace
@@ -40,6 +40,7 @@ struct SimulationThread::Run {
   TripleBuffer<Snapshot>& snapshots;
   TripleBuffer<std::vector<HandWish>>& wishes;
   StepMaker maker;
+  WatchMaker watchMaker;
 
   std::mutex mutex;
   std::condition_variable wake;
@@ -48,6 +49,7 @@ struct SimulationThread::Run {
   std::shared_ptr<const Model> model;
   std::shared_ptr<const Recording> recording;
   StepFunction stepFunction;
+  std::unique_ptr<StepWatch> watch;
   State state;
   Inputs inputs;
   StepReport report;
@@ -58,8 +60,8 @@ struct SimulationThread::Run {
   long rejectedSteps = 0;
   std::thread thread;
 
-  Run(TripleBuffer<Snapshot>& s, TripleBuffer<std::vector<HandWish>>& w, StepMaker m)
-      : snapshots(s), wishes(w), maker(std::move(m)), thread([this] { loop(); }) {}
+  Run(TripleBuffer<Snapshot>& s, TripleBuffer<std::vector<HandWish>>& w, StepMaker m, WatchMaker watches)
+      : snapshots(s), wishes(w), maker(std::move(m)), watchMaker(std::move(watches)), thread([this] { loop(); }) {}
 
   void send(Command command) {
     {
@@ -110,12 +112,19 @@ struct SimulationThread::Run {
     model = std::move(set.model);
     report = {};
     if (!carry) rejectedSteps = 0;
+    watchAnew();
     startClock();
+  }
+
+  void watchAnew() {
+    watch.reset();
+    if (model && watchMaker) watch = watchMaker(model, recording, [this] { send(Order::Publish); });
   }
 
   void apply(SetRecording& set) {
     recording = std::move(set.recording);
     if (model) hands.change(model->scenario, recording);
+    watchAnew();
   }
 
   void apply(Order order) {
@@ -135,8 +144,10 @@ struct SimulationThread::Run {
         hands.restart(model->scenario, recording);
         report = {};
         rejectedSteps = 0;
+        watchAnew();
         startClock();
         break;
+      case Order::Publish: break;  // as after every command
       case Order::Quit: quit = true; break;
     }
   }
@@ -155,6 +166,7 @@ struct SimulationThread::Run {
     const double end = seconds(Clock::now());
     if (!report.taken) ++rejectedSteps;
     window.add(end, end - begin);
+    if (watch) watch->look(report, state, hands.onPath());
   }
 
   void stepAndPublish() {
@@ -176,12 +188,14 @@ struct SimulationThread::Run {
     out.rates.realTimeFactor = model ? window.stepsPerSecond() * model->scenario.dt : 0;
     out.rates.forgiven = clock.forgiven();
     out.rejectedSteps = rejectedSteps;
+    out.notices = watch ? watch->notices() : nullptr;
+    out.rest = watch ? watch->rest() : RestState{};
     snapshots.publish();
   }
 };
 
-SimulationThread::SimulationThread(StepMaker maker)
-    : m_run(std::make_unique<Run>(m_snapshots, m_hands, std::move(maker))) {}
+SimulationThread::SimulationThread(StepMaker maker, WatchMaker watchMaker)
+    : m_run(std::make_unique<Run>(m_snapshots, m_hands, std::move(maker), std::move(watchMaker))) {}
 
 SimulationThread::~SimulationThread() {
   m_run->send(Order::Quit);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "simcore/live/HandInput.h"
+#include "simcore/live/StepWatch.h"
 #include "simcore/live/TripleBuffer.h"
 #include "simcore/step/Stepper.h"
 
@@ -28,6 +29,10 @@ struct Snapshot {
   std::vector<Pose> hands;   ///< where each hand wanted its tool, W
   LiveRates rates;
   long rejectedSteps = 0;    ///< steps that were not finite and not taken, since reset
+  /// What must be said about the run since reset or the last change of model or recording; null without a watch. Another
+  /// list when something is new.
+  std::shared_ptr<const std::vector<Notice>> notices;
+  RestState rest;            ///< nothing known without a watch
 };
 
 /// One step of a run; what makes it is chosen by a StepMaker. The report is valid until the next call.
@@ -43,7 +48,8 @@ StepFunction makeStepperStep(std::shared_ptr<const Model> model, const StepperOp
 /// Threads: commands from any thread; setHands from one thread; takeSnapshot and snapshot from one thread.
 class SimulationThread {
  public:
-  explicit SimulationThread(StepMaker maker = makeStepperStep);
+  /// Without a WatchMaker nothing is said about the run.
+  explicit SimulationThread(StepMaker maker, WatchMaker watchMaker = {});
   ~SimulationThread();
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;

@@ -11,7 +11,7 @@ namespace glenoid {
 namespace {
 
 constexpr const char* kPartColumns[] = {"x", "y", "z", "vx", "vy", "vz", "qx", "qy", "qz", "qw", "wx", "wy", "wz"};
-constexpr const char* kPairColumns[] = {"contacts", "fx", "fy", "fz", "normal"};
+constexpr const char* kPairColumns[] = {"contacts", "fx", "fy", "fz", "normal", "penetration"};
 
 void appendNumber(std::string& out, double value) {
   char text[40];
@@ -91,9 +91,12 @@ Result<Trace> Trace::make(const Model& model, const TraceWishes& wishes) {
   return trace;
 }
 
-void Trace::begin(const State& start) { addRow(start); }
+void Trace::begin(const State& start, std::span<const Penetration> depths) { addRow(start, depths); }
 
-void Trace::addRow(const State& state) {
+void Trace::addRow(const State& state, std::span<const Penetration> depths) {
+  m_measured.push_back(depths.empty() ? 0 : 1);
+  for (std::size_t p = 0; p < depths.size(); ++p)
+    if (depths[p].depth > 0) m_depths.push_back({m_rows, static_cast<int>(p), depths[p].depth});
   m_values.push_back(state.time);
   for (const int object : m_parts) {
     const PartReading part = readPart(*m_model, state, object);
@@ -115,9 +118,17 @@ int Trace::pairOf(int a, int b, double& sign) {
   return static_cast<int>(m_pairs.size()) - 1;
 }
 
-void Trace::add(const StepReport& step, const State& state) {
+int Trace::modelPair(int a, int b) const {
+  for (std::size_t p = 0; p < m_model->collisionPairs.size(); ++p) {
+    const CollisionPair& pair = m_model->collisionPairs[p];
+    if ((pair.surfaceA == a && pair.surfaceB == b) || (pair.surfaceA == b && pair.surfaceB == a)) return static_cast<int>(p);
+  }
+  return -1;
+}
+
+void Trace::add(const StepReport& step, const State& state, std::span<const Penetration> depths) {
   if (++m_steps % m_every != 0) return;
-  addRow(state);
+  addRow(state, depths);
   const std::size_t first = m_forces.size();
   for (const ContactView& contact : step.contactViews) {
     if (!(contact.force > 0)) continue;
@@ -133,7 +144,7 @@ void Trace::add(const StepReport& step, const State& state) {
 }
 
 std::string Trace::csv() const {
-  std::string out = "time";
+  std::string out = "time,penetration";
   for (const int object : m_parts)
     for (const char* column : kPartColumns) out += "," + cell(m_model->objects[object].id + "." + column);
   for (const auto& pair : m_pairs)
@@ -141,23 +152,37 @@ std::string Trace::csv() const {
       out += "," + cell(m_model->objects[pair[0]].id + ":" + m_model->objects[pair[1]].id + "." + column);
   out += "\n";
   const std::size_t width = 1 + std::size(kPartColumns) * m_parts.size();
-  std::size_t next = 0;
+  std::size_t next = 0, nextDepth = 0;
   std::vector<const PairForce*> row(m_pairs.size());
+  std::vector<double> depths(m_model->collisionPairs.size());
+  std::vector<int> modelPairs;
+  for (const auto& pair : m_pairs) modelPairs.push_back(modelPair(pair[0], pair[1]));
   for (int r = 0; r < m_rows; ++r) {
+    std::fill(depths.begin(), depths.end(), 0.0);
+    double deepest = 0;
+    for (; nextDepth < m_depths.size() && m_depths[nextDepth].row == r; ++nextDepth) {
+      depths[m_depths[nextDepth].pair] = m_depths[nextDepth].depth;
+      deepest = std::max(deepest, m_depths[nextDepth].depth);
+    }
     for (std::size_t i = 0; i < width; ++i) {
       if (i > 0) out += ',';
       appendNumber(out, m_values[static_cast<std::size_t>(r) * width + i]);
+      if (i > 0) continue;
+      out += ',';
+      if (m_measured[r]) appendNumber(out, deepest);
     }
     std::fill(row.begin(), row.end(), nullptr);
     for (; next < m_forces.size() && m_forces[next].row == r; ++next) row[m_forces[next].pair] = &m_forces[next];
-    for (const PairForce* force : row) {
+    for (std::size_t p = 0; p < row.size(); ++p) {
       const PairForce none{r, 0, 0, Vec3::Zero(), 0};
-      const PairForce& shown = force ? *force : none;
+      const PairForce& shown = row[p] ? *row[p] : none;
       out += "," + std::to_string(shown.contacts);
       for (const double value : {shown.force_W.x(), shown.force_W.y(), shown.force_W.z(), shown.normal}) {
         out += ',';
         appendNumber(out, value);
       }
+      out += ',';
+      if (m_measured[r] && modelPairs[p] >= 0) appendNumber(out, depths[modelPairs[p]]);
     }
     out += "\n";
   }

@@ -30,8 +30,8 @@ TEST(Readings, theShippedShoulderTellsItsStateItsTraceAndItsTissue) {
   EXPECT_GT(json["couplings"].size(), 5u);
   const std::string table = readText(trace);
   EXPECT_EQ(lineCount(table), 1 + 5);
-  EXPECT_EQ(table.rfind("time,humerus.x,humerus.y,humerus.z,humerus.vx", 0), 0u);
-  EXPECT_NE(table.find("humerus:scapula.normal\n"), std::string::npos);
+  EXPECT_EQ(table.rfind("time,penetration,humerus.x,humerus.y,humerus.z,humerus.vx", 0), 0u);
+  EXPECT_NE(table.find("humerus:scapula.normal,humerus:scapula.penetration\n"), std::string::npos);
   EXPECT_NE(readText(tissue).find("Name=\"vonMises\""), std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "simcore/file/Schema.h"
 #include "tests/app/Program.h"
@@ -13,10 +14,10 @@ namespace {
 using Json = nlohmann::json;
 
 /// Runs the built-in arthroscopy for some steps and answers its report.
-Json reportOf(const std::string& arguments, const std::filesystem::path& folder) {
+Json reportOf(const std::string& arguments, const std::filesystem::path& folder, const std::string& scenario = "builtin:arthroscopy") {
   const auto path = folder / "report.json";
   std::filesystem::remove(path);
-  const Outcome outcome = glenoidProgram("run builtin:arthroscopy " + arguments + " --report '" + path.string() + "'");
+  const Outcome outcome = glenoidProgram("run " + scenario + " " + arguments + " --report '" + path.string() + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const auto document = readDocument(path.string(), Schema::RunReport);  // as its schema says
@@ -38,9 +39,9 @@ TEST(RunCommand, theReportHoldsWhatItPromises) {
   EXPECT_EQ(report["rejectedSteps"], 0);
   EXPECT_EQ(report["parts"].size(), 11u);
   EXPECT_EQ(report["stateHash"].get<std::string>().size(), 32u);
-  // Too short for a rest after one second of settling: no figure, and the reason.
+  // Too short for its loads to rise: no figure, and the reason.
   EXPECT_TRUE(report["contacts"]["rest"].is_null());
-  EXPECT_TRUE(report["contacts"].contains("restReason"));
+  EXPECT_EQ(report["contacts"]["restReason"], "loads-still-rise");
   EXPECT_FALSE(report.contains("haptic"));
   const Json& step = report["ms"]["step"];
   EXPECT_GT(step["median"], 0.0);
@@ -56,6 +57,26 @@ TEST(RunCommand, sameInputGivesSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(reportOf("--steps 60", folder)["stateHash"], first);
   EXPECT_EQ(reportOf("--steps 60 --threads 2", folder)["stateHash"], first);
   EXPECT_NE(reportOf("--steps 61", folder)["stateHash"], first);  // the hash sees the state
+}
+
+TEST(RunCommand, theReportSaysWhatTheTerminalSays) {
+  const auto folder = freshFolder();
+  Json scenario = Json::parse(readText(GLENOID_SOURCE_DIR "/resources/scenarios/arthroscopy.scenario.json"));
+  scenario["loads"] = Json::array();  // nothing is left to rise
+  scenario["seed"] = 7;
+  scenario["effects"]["haptics"] = "on";
+  writeText(folder / "idle.scenario.json", scenario.dump(2));
+  const std::string quoted = "'" + (folder / "idle.scenario.json").string() + "'";
+  const Json report = reportOf("--steps 5", folder, quoted);
+  ASSERT_EQ(report["notices"].size(), 3u);
+  const std::string said = glenoidProgram("run " + quoted + " --steps 5").out;
+  std::set<std::string> why;
+  for (const Json& notice : report["notices"]) {
+    EXPECT_EQ(notice["kind"], "unused-setting");
+    why.insert(notice["why"].get<std::string>());
+    EXPECT_NE(said.find("notice:      " + notice["sentence"].get<std::string>() + "\n"), std::string::npos) << notice["sentence"];
+  }
+  EXPECT_EQ(why, (std::set<std::string>{"load-rise", "not-built", "seed"}));
 }
 
 TEST(RunCommand, optionsReachTheRun) {

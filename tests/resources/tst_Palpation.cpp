@@ -79,6 +79,26 @@ TEST(Palpation, theRecordingIsTheOneThatIsPlanned) {
     EXPECT_LT((again.tracks[0].keys[i].hand.p_WB - input().tracks[0].keys[i].hand.p_WB).norm(), 1e-9) << i;
 }
 
+TEST(Palpation, comesToRestWithHandsAtHomeAndOnceTheFingerHasLetGo) {
+  // The finger is on the skin before the loads are whole, so that the recorded run rests only at its end.
+  const auto contactsOf = [](const Recording* hands, double seconds) {
+    RunOptions options;
+    options.seconds = seconds;
+    options.input = hands;
+    options.checks = false;
+    return runScenario(palpation(), options)->report.contacts;
+  };
+  EXPECT_EQ(contactsOf(nullptr, 0.3).restReason, "loads-still-rise");
+  EXPECT_EQ(contactsOf(nullptr, 0.55).restReason, "parts-still-move");
+  EXPECT_EQ(contactsOf(&input(), 2.4).restReason, "tools-touch") << "the finger holds still on the skin";
+  const ContactCounts home = contactsOf(nullptr, 2), after = contactsOf(&input(), 8);
+  ASSERT_TRUE(home.rest && after.rest);
+  std::printf("at rest: %.1f rows (%.1f press) with hands at home, %.1f (%.1f) after the strokes\n", *home.rest, *home.pressingRest, *after.rest, *after.pressingRest);
+  // The same scene, but friction and what it has slid over may leave some contacts elsewhere.
+  EXPECT_NEAR(*after.rest, *home.rest, 0.1 * *home.rest);
+  EXPECT_NEAR(*after.pressingRest, *home.pressingRest, 0.2 * *home.pressingRest);
+}
+
 TEST(Palpation, pressingTheSkinPressesTheMuscleBelow) {
   // The deltoid feels the skin that is pressed onto it and the finger inside, which stands for what the skin's stiffness
   // passes on at the very spot; the muscle gives way under both, so the finger inside has but a small share.

@@ -162,4 +162,26 @@ Scenario blockOnPlateScenario() {
   return scenario;
 }
 
+Joint sunkenCubesJoint() {
+  Joint joint;
+  joint.id = joint.name = "sunken-cubes";
+  addMaterials(joint);
+  joint.parts.push_back(boxPart("slab", 1, PartKind::Rigid, {-0.06, -0.02, -0.03}, {0.06, 0, 0.03}));
+  const char* const names[] = {"deep", "middle", "shallow"};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 low(-0.045 + 0.035 * i, -kCubeDepths[i], -0.01);
+    joint.parts.push_back(boxPart(names[i], 2 + i, PartKind::Rigid, low, low + Vec3::Constant(0.02)));
+  }
+  return joint;
+}
+
+Scenario sunkenCubesScenario() {
+  Scenario scenario;
+  scenario.id = scenario.name = "sunken-cubes";
+  scenario.fixedParts = {"slab"};
+  scenario.effects.gravity = Wish::Off;
+  scenario.recoverySpeedMax = kRecovery;
+  return scenario;
+}
+
 }  // namespace glenoid::scenes

@@ -33,4 +33,11 @@ Scenario figure5Scenario();
 Joint blockOnPlateJoint();
 Scenario blockOnPlateScenario();
 
+/// Three cubes of 20 mm in a row, which start kCubeDepths deep in the top of a fixed slab, far from its sides. Without gravity
+/// they leave it at the recovery speed: after n steps they lie deep still what they did less n Δt kRecovery. A third of their
+/// thickness 2 V/A is 20/9 mm.
+inline constexpr double kCubeDepths[] = {0.0039, 0.003, 0.001}, kRecovery = 0.01;  // m, m/s
+Joint sunkenCubesJoint();  ///< "slab", then "deep", "middle", "shallow"
+Scenario sunkenCubesScenario();
+
 }  // namespace glenoid::scenes

@@ -42,6 +42,23 @@ StepFunction fakeSteps(std::shared_ptr<const Model> model, const StepperOptions&
   };
 }
 
+/// Says after the second step that the block is torn away, and at once that the seed does nothing.
+struct FakeWatch : StepWatch {
+  void look(const StepReport&, const State& state, bool) override {
+    if (state.step != 2) return;
+    auto more = *list;
+    more.push_back({NoticeKind::TornAway, "block", "", 3, 0.1, state.time, state.step, {}});
+    list = std::make_shared<const std::vector<Notice>>(more);
+  }
+  std::shared_ptr<const std::vector<Notice>> notices() const override { return list; }
+  std::shared_ptr<const std::vector<Notice>> list =
+      std::make_shared<const std::vector<Notice>>(std::vector<Notice>{{NoticeKind::UnusedSetting, "7", "", 0, 0, 0, 0, {UnusedSetting::Why::Seed, "7"}}});
+};
+
+std::unique_ptr<StepWatch> fakeWatch(std::shared_ptr<const Model>, std::shared_ptr<const Recording>, std::function<void()>) {
+  return std::make_unique<FakeWatch>();
+}
+
 Scene scene(double young) {
   Scene made{scenes::blockOnPlateJoint(), scenes::blockOnPlateScenario(), nullptr};
   made.joint.materials[findMaterial(made.joint, "tissue")].youngsModulus = young;
@@ -72,7 +89,7 @@ class PlayLinkTest : public testing::Test {
   char* argv[2] = {name, nullptr};
   QCoreApplication application{argc, argv};
   Document document;
-  PlayLink link{document, fakeCompile, fakeSteps};
+  PlayLink link{document, fakeCompile, fakeSteps, fakeWatch};
   std::vector<Error> problems;
 };
 
@@ -157,9 +174,30 @@ TEST_F(PlayLinkTest, aHeldToolFollowsTheHandAndAReleasedOneTheRecording) {
   ASSERT_TRUE(until([this] { return link.snapshot().q[1] == 0.05; }));
 }
 
+TEST_F(PlayLinkTest, whatMustBeSaidComesOnceAndTheGravestFirst) {
+  int changes = 0;
+  QObject::connect(&link, &PlayLink::noticesChanged, [&] { ++changes; });
+  document.open(scene(10), "a");
+  ASSERT_TRUE(until([this] { return link.notices().size() == 1; }));
+  EXPECT_EQ(changes, 1);
+  link.stepOnce();
+  ASSERT_TRUE(until([this] { return link.snapshot().step == 1; }));
+  link.stepOnce();
+  ASSERT_TRUE(until([this] { return link.snapshot().step == 2; }));
+  ASSERT_EQ(link.notices().size(), 2u);
+  EXPECT_EQ(link.notices()[0].kind, NoticeKind::TornAway);
+  EXPECT_EQ(link.notices()[1].kind, NoticeKind::UnusedSetting);
+  EXPECT_EQ(changes, 2);
+  link.stepOnce();
+  ASSERT_TRUE(until([this] { return link.snapshot().step == 3; }));
+  EXPECT_EQ(changes, 2) << "nothing new";
+  link.reset();
+  ASSERT_TRUE(until([this] { return link.notices().size() == 1; }));
+}
+
 TEST_F(PlayLinkTest, canBeDestroyedWhileCompiling) {
   for (int i = 0; i < 20; ++i) {
-    PlayLink another(document, fakeCompile, fakeSteps);
+    PlayLink another(document, fakeCompile, fakeSteps, fakeWatch);
     document.open(scene(10 + i), "a");
     another.play();
   }

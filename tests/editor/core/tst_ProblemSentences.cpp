@@ -72,6 +72,11 @@ TEST(NoticeSentences, everyKindHasItsOwnSentenceAndNoHoleInIt) {
     EXPECT_FALSE(sentence.contains(u"%1") || sentence.contains(u"%3") || sentence.contains(u"%4") || sentence.contains(u"%5")) << sentence.toStdString();
     EXPECT_TRUE(seen.insert(sentence).second) << sentence.toStdString();
   }
+  const Joint joint = scenes::blockOnPlateJoint();
+  Scenario scenario = scenes::blockOnPlateScenario();
+  scenario.tools[0].name = "Index %1";
+  const QString named = sentenceOf(Notice{NoticeKind::MarkMissed, "press", "finger / block", 0.005, 0, 0.25, 50, {}}, namesIn(joint, scenario));
+  EXPECT_NE(named.indexOf(QStringLiteral("“press” (Index %1 / ") + QString::fromStdString(joint.parts[findPart(joint, "block")].name)), -1) << named.toStdString();
   EXPECT_NE(sentenceOf(Notice{NoticeKind::TooDeep, "a %2 thing", "plate", 0.0015, 0.001, 0.25, 50, {}}).indexOf(u"1.5 mm deep"), -1);
 }
 

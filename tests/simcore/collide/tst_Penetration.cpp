@@ -76,6 +76,29 @@ TEST(Penetration, namesTheWorstPairAndRepeats) {
   EXPECT_EQ(check.deepest(scene.positionSpans()).pair, 0);
 }
 
+TEST(Penetration, eachPairIsMeasuredByItself) {
+  CollisionScene scene = twoMeshes(box({-0.03, 0.028, -0.01}, {-0.01, 0.05, 0.01}), kSlab);
+  scene.meshes.push_back(box({0.01, 0.025, -0.01}, {0.03, 0.05, 0.01}));
+  scene.meshes.push_back(box({0.01, 0.1, -0.01}, {0.03, 0.12, 0.01}));
+  scene.pairs = {{0, 1, {}, {}}, {1, 2, {}, {}}, {1, 3, {}, {}}};
+  PenetrationCheck check(scene.surfaces(), scene.pairs);
+  std::vector<Penetration> found;
+  const auto expectThem = [&](std::array<double, 3> depths) {
+    ASSERT_EQ(found.size(), 3u);
+    for (int p = 0; p < 3; ++p) {
+      EXPECT_NEAR(found[p].depth, depths[p], 1e-15) << p;
+      EXPECT_EQ(found[p].pair, depths[p] > 0 ? p : -1) << p;
+    }
+  };
+  check.eachPair(scene.positionSpans(), {}, found);
+  expectThem({0.002, 0.005, 0});
+  EXPECT_EQ(check.deepest(scene.positionSpans()).pair, 1);
+  EXPECT_NEAR(check.deepest(scene.positionSpans()).depth, 0.005, 1e-15);
+  const std::vector<double> allowed = {0.0005, 0.006, 0};
+  check.eachPair(scene.positionSpans(), allowed, found);
+  expectThem({0.0015, 0, 0});
+}
+
 TEST(Penetration, finderAndCheckAgreeOnVertices) {
   // Two ways to the same number: the finder's most negative vertex gap and the check's deepest vertex.
   Numbers numbers(21);

@@ -269,7 +269,7 @@ TEST(CarryState, partsAndToolsOfTheSameIdAreTwoThings) {
 
 /// Where a run of the live thread stands after some steps, with the model changed for an equal one in between.
 VecX liveRun(const StudyScene& scene, int before, int after, bool change) {
-  SimulationThread simulation;
+  SimulationThread simulation(makeStepperStep);
   simulation.setRecording(std::make_shared<Recording>(scene.input));
   simulation.setModel(compileModel(scene.joint, scene.scenario).value(), {}, true);
   for (int i = 0; i < before; ++i) simulation.stepOnce();

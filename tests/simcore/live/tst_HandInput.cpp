@@ -78,6 +78,25 @@ TEST(HandInput, aToolLetGoGlidesBackOntoTheRecording) {
   EXPECT_EQ(input.hands()[0].p_WB, handAt(recording->tracks[1], time).p_WB);
 }
 
+TEST(HandInput, knowsWhetherAllHandsAreOnTheRecordedPath) {
+  HandInput input;
+  input.restart(twoTools(), nullptr);
+  input.advance({}, kDt, kDt);
+  EXPECT_FALSE(input.onPath()) << "there is none";
+  input.restart(twoTools(), straightLine());
+  input.advance({}, kDt, kDt);
+  EXPECT_TRUE(input.onPath());
+  input.advance({{true, at(1.2)}}, 2 * kDt, kDt);
+  EXPECT_FALSE(input.onPath());
+  int steps = 2;
+  while (!input.onPath() && steps < 1000) input.advance({}, ++steps * kDt, kDt);
+  EXPECT_LT(steps, 1000) << "it has glided back";
+  EXPECT_GT(steps, 3) << "which takes its time";
+  input.advance({{}, {true, at(2.5)}}, ++steps * kDt, kDt);
+  for (int i = 0; i < 100; ++i) input.advance({}, ++steps * kDt, kDt);
+  EXPECT_FALSE(input.onPath()) << "a tool without a track stays where it was put";
+}
+
 TEST(HandInput, aToolLetGoWithoutRecordingStays) {
   HandInput input;
   input.restart(twoTools(), nullptr);

@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "simcore/live/PenetrationProbe.h"
+#include "simcore/live/Run.h"
 #include "tests/scenes/BlockScenes.h"
 
 namespace glenoid {
@@ -19,6 +21,7 @@ Table tableOf(const std::string& csv) {
     std::istringstream cells(line);
     table.emplace_back();
     for (std::string cell; std::getline(cells, cell, ',');) table.back().push_back(cell);
+    if (line.ends_with(',')) table.back().emplace_back();
   }
   return table;
 }
@@ -63,7 +66,7 @@ TEST(Trace, rowsStandAtTheStartAndAfterEveryNthStep) {
   wishes.every = 25;
   const Table table = traced(wishes, 110);
   ASSERT_EQ(table.size(), 1u + 1 + 4);
-  for (const auto& row : table) EXPECT_EQ(row.size(), 1u + 2 * 13 + 5);  // two parts move, one pair touches
+  for (const auto& row : table) EXPECT_EQ(row.size(), 2u + 2 * 13 + 6);  // two parts move, one pair touches
   for (int row = 0; row < 5; ++row) {
     const int n = 25 * row;
     EXPECT_DOUBLE_EQ(number(table, row + 1, "time"), n * 0.005);
@@ -72,7 +75,7 @@ TEST(Trace, rowsStandAtTheStartAndAfterEveryNthStep) {
     EXPECT_NEAR(number(table, row + 1, "loose.y"), 0.01 - 9.81 * 0.5 * n * (n + 1) * 0.005 * 0.005, 1e-11);
     EXPECT_EQ(number(table, row + 1, "loose.qw"), 1);
   }
-  EXPECT_EQ(number(table, 1, table[0][27].substr(0, table[0][27].find('.')) + ".contacts"), 0);  // nothing before the first step
+  EXPECT_EQ(number(table, 1, table[0][28].substr(0, table[0][28].find('.')) + ".contacts"), 0);  // nothing before the first step
 }
 
 TEST(Trace, aPairsForceIsTheOneOnItsFirstPart) {
@@ -87,6 +90,60 @@ TEST(Trace, aPairsForceIsTheOneOnItsFirstPart) {
   EXPECT_GE(number(up, 2, "block:plate.contacts"), 3);
   wishes.pairs = {{"plate", "block"}};
   EXPECT_NEAR(number(traced(wishes, 200), 2, "plate:block.fy"), -weight, 1e-5 * weight);
+}
+
+TEST(Trace, depthsAreThoseOfTheRowAndOfThePair) {
+  const Joint joint = scenes::sunkenCubesJoint();
+  const Scenario scenario = scenes::sunkenCubesScenario();
+  const auto model = compileModel(joint, scenario).value();
+  TraceWishes wishes;
+  wishes.every = 10;
+  wishes.pairs = {{"slab", "deep"}, {"shallow", "slab"}, {"deep", "middle"}};
+  Trace trace = Trace::make(*model, wishes).value();
+  PenetrationProbe probe(*model, SurfaceKind::Collision);
+  probe.look(model->start.q);
+  trace.begin(model->start, probe.lastLook());
+  RunOptions options;
+  options.steps = 30;
+  options.observe = [&](const StepReport& step, const State& state, std::span<const Penetration> depths) { trace.add(step, state, depths); };
+  const double most = runScenario(model, options)->report.penetrationMax;
+  const Table table = tableOf(trace.csv());
+  ASSERT_EQ(table.size(), 5u);
+  for (int row = 0; row < 4; ++row) {
+    // The cubes leave the slab at the recovery speed; a nanometre is round-off of the contact solve.
+    const double left = 10 * row * scenario.dt * scenes::kRecovery;
+    EXPECT_NEAR(number(table, row + 1, "penetration"), scenes::kCubeDepths[0] - left, 1e-9) << row;
+    EXPECT_NEAR(number(table, row + 1, "slab:deep.penetration"), scenes::kCubeDepths[0] - left, 1e-9) << row;
+    EXPECT_NEAR(number(table, row + 1, "shallow:slab.penetration"), std::max(0.0, scenes::kCubeDepths[2] - left), 1e-9) << row;
+    EXPECT_EQ(number(table, row + 1, "deep:middle.penetration"), 0) << row;
+    EXPECT_GE(most, row == 0 ? 0 : number(table, row + 1, "penetration"));
+  }
+  EXPECT_LT(most, number(table, 1, "penetration")) << "the report's begins after the first step";
+}
+
+TEST(Trace, aDepthThatNobodyMeasuredOrThatCannotBeIsAnEmptyCell) {
+  TraceWishes wishes;
+  wishes.parts = {"block"};
+  wishes.pairs = {{"block", "plate"}};
+  const Table table = traced(wishes, 2);
+  for (std::size_t row = 1; row < table.size(); ++row) {
+    EXPECT_EQ(table[row][1], "");
+    EXPECT_EQ(table[row].back(), "");
+    EXPECT_EQ(table[row].size(), table[0].size());
+  }
+  Joint joint = scenes::sunkenCubesJoint();
+  joint.exclusions = {{"slab", "deep", ""}};
+  const auto model = compileModel(joint, scenes::sunkenCubesScenario()).value();
+  wishes.parts = {"deep"};
+  wishes.pairs = {{"slab", "deep"}, {"slab", "middle"}};
+  Trace trace = Trace::make(*model, wishes).value();
+  PenetrationProbe probe(*model, SurfaceKind::Collision);
+  probe.look(model->start.q);
+  trace.begin(model->start, probe.lastLook());
+  const Table excluded = tableOf(trace.csv());
+  EXPECT_EQ(excluded[1][2 + 13 + 5], "");
+  EXPECT_NEAR(number(excluded, 1, "slab:middle.penetration"), scenes::kCubeDepths[1], 1e-12);
+  EXPECT_NEAR(number(excluded, 1, "penetration"), scenes::kCubeDepths[1], 1e-12);
 }
 
 TEST(Trace, whatIsNotThereIsRefused) {
