@@ -32,9 +32,9 @@ struct ConeWork {
 /// A (v − v*) = Jᵀ λ(J v − c), however dependent the contacts are; then λ⁰ ← λ, until that changes nothing: no compliance
 /// is left in the answer. If last step's impulses are right, that is seen at once.
 ///
-/// First P is Coulomb's own law (ontoDisk): few steps, quadratic, damped where what sticks and slides changes. Where that ends
-/// nowhere, P becomes the
-/// projection onto the cone K and w_n is raised by the shift s = μ‖w_t‖ (De Saxcé): for each s that is a convex problem,
+/// First P is Coulomb's own law (ontoDisk): few steps, quadratic, damped where what sticks and slides changes. Where that
+/// ends nowhere, P becomes the projection onto the cone K and w_n is raised by the shift s = μ‖w_t‖ (De Saxcé): for each s
+/// that is a convex problem,
 ///     min over v of ½ (v − v*)ᵀ A (v − v*) + Σ ½ (ε_i + C_i) ‖P_K(z_i)‖²,   z_i = (ε_i λ⁰_i − w_i − s_i n)/(ε_i + C_i),
 /// where each Newton step goes down; s follows the slip between solves (nextShift), and where it does, the law is
 /// Coulomb's again: the convex problem alone would lift what slides by μ times its slip.

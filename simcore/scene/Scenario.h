@@ -137,8 +137,8 @@ struct Scenario {
   double dt = 0.005;                 ///< s, in (0, 0.1]
   Vec3 gravity_W = Vec3(0, -9.81, 0);  ///< m/s²
   Profile profile = Profile::Direct;
-  double contactDistance = 0.0015;   ///< m: pairs of features nearer than this make a contact
-  double recoverySpeedMax = 0.1;     ///< m/s: cap on the speed at which penetration is undone
+  double contactDistance = 0.0015;   ///< m: pairs of features nearer than this make a contact; 0: SceneScale.h
+  double recoverySpeedMax = 0.1;     ///< m/s: cap on the speed at which penetration is undone; 0: SceneScale.h
   std::vector<std::string> fixedParts;  ///< ids; they join no island
   std::vector<Hold> holds;
   std::vector<Load> loads;

@@ -191,8 +191,8 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("dt", scenario.dt);
   json.set("gravity", fromVec3(scenario.gravity_W));
   json.set("profile", wordOf(kProfiles, scenario.profile));
-  json.set("contactDistance", scenario.contactDistance);
-  json.set("recoverySpeedMax", scenario.recoverySpeedMax);
+  if (scenario.contactDistance > 0) json.set("contactDistance", scenario.contactDistance);
+  if (scenario.recoverySpeedMax > 0) json.set("recoverySpeedMax", scenario.recoverySpeedMax);
   json.set("fixedParts", fromTexts(scenario.fixedParts));
   json.set("holds", listOf(scenario.holds, fromHold));
   json.set("loads", listOf(scenario.loads, fromLoad));
@@ -220,8 +220,10 @@ Scenario toScenario(const JsonValue& json) {
   scenario.dt = json["dt"].number(scenario.dt);
   scenario.gravity_W = toVec3(json["gravity"], scenario.gravity_W);
   scenario.profile = valueOf(kProfiles, json["profile"].text(), scenario.profile);
-  scenario.contactDistance = json["contactDistance"].number(scenario.contactDistance);
-  scenario.recoverySpeedMax = json["recoverySpeedMax"].number(scenario.recoverySpeedMax);
+  // What a file leaves open follows the joint; the first form of the file meant the shoulder's figures.
+  const bool fixedLengths = json["schemaVersion"].integer(2) < 2;
+  scenario.contactDistance = json["contactDistance"].number(fixedLengths ? scenario.contactDistance : 0);
+  scenario.recoverySpeedMax = json["recoverySpeedMax"].number(fixedLengths ? scenario.recoverySpeedMax : 0);
   scenario.loadRise = json["loadRise"].number(scenario.loadRise);
   scenario.fixedParts = toTexts(json["fixedParts"]);
   scenario.holds = vectorOf(json["holds"], toHold);

@@ -5,6 +5,7 @@
 #include "simcore/body/RigidObject.h"
 #include "simcore/coupling/Islands.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/scene/SceneScale.h"
 #include "simcore/step/CompileActions.h"
 #include "simcore/step/CompileObjects.h"
 #include "simcore/step/EffectPlan.h"
@@ -183,7 +184,7 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   auto model = std::make_shared<Model>();
   auto inside = std::make_shared<StepModel>();
   model->joint = joint;
-  model->scenario = scenario;
+  model->scenario = scaled(joint, scenario);
   model->jointHash = jointHash(joint);
   std::vector<Vec3> centres;
   if (Result<Done> done = compileObjects(*model, *inside, centres); !done) return done.error();

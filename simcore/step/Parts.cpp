@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When a step must be cut. Positions follow velocities along a straight line, x + Δt ω × r, while a body turns: a turn
 // by θ in one step leaves each point ½ θ² r from where the linearisation had it. In a spring of stiffness k that is an
-// energy of ⅛ θ⁴ k r², out of nothing; in tissue a strain of ½ θ².
+// energy of ⅛ θ⁴ k r², out of nothing; in tissue a strain of ½ θ². And contacts keep the normals of the step's start: where a
+// soft surface turns while it is pressed, what lies beside a contact goes in by its distance times the turn.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@ namespace {
 constexpr int kPartsMost = 64;
 /// Tissue, rad in one part: a strain of 1 %.
 constexpr double kTurnMax = 0.15;
+/// A pressed soft surface, rad in one part.
+constexpr double kPressedTurnMax = 0.3;
 /// Energy that stiff couplings may so gain in one part, of the kinetic energy of their island.
 constexpr double kGainMax = 0.02;
 
@@ -41,6 +44,34 @@ Vec3 spinOf(const ObjectLayout& layout, const VecX& q, const VecX& v) {
   return inertia.inverse() * momentum;
 }
 
+/// Largest angle by which a triangle of a soft surface turns in the step that was just solved, at a contact that presses, as the chord
+/// of the angle, which no two C libraries see differently. Surfaces move by the last motion searched (Work::searchAgain).
+double pressedTurn(const Stepper::Work& work) {
+  const auto& motion = work.velocities[std::min(work.motionCount, ProximityFinder::kMotionsMost - 1)];
+  const double dt = work.settings.dt;
+  double least = 1;  // cosine
+  for (const StepContact& contact : work.contacts) {
+    if (!(contact.impulse > 0) || contact.film) continue;
+    const CollisionPair& pair = work.model->collisionPairs[contact.near->pair];
+    for (const auto& [index, feature] : {std::pair{pair.surfaceA, &contact.near->a}, {pair.surfaceB, &contact.near->b}}) {
+      const ObjectLayout& layout = work.model->objects[index].layout;
+      if (layout.rigid || !layout.free) continue;
+      const CollisionSurface& surface = *work.model->collisionSurfaces[index];
+      const auto& x = work.positions[index];
+      const auto& v = motion[index];
+      for (int k = 0; k < feature->count; ++k)
+        for (const int t : surface.trianglesOf(feature->vertex[k])) {
+          const auto& [a, b, c] = surface.triangles[t];
+          const Vec3 before = (x[b] - x[a]).cross(x[c] - x[a]);
+          const Vec3 after = (x[b] - x[a] + dt * (v[b] - v[a])).cross(x[c] - x[a] + dt * (v[c] - v[a]));
+          const double size = before.norm() * after.norm();
+          if (size > 0) least = std::min(least, before.dot(after) / size);
+        }
+    }
+  }
+  return std::sqrt(2 * std::max(0.0, 1 - least));
+}
+
 }  // namespace
 
 std::vector<double> turnStiffnessOf(const StepModel& inside) {
@@ -63,7 +94,7 @@ std::vector<double> turnStiffnessOf(const StepModel& inside) {
 
 int partsOf(const Stepper::Work& work, const State& state) {
   const double dt = work.settings.dt;
-  double parts = 1;
+  double parts = work.inside->contact && work.additions.searchAgain ? std::max(1.0, pressedTurn(work) / kPressedTurnMax) : 1.0;
   for (const CouplingIslandModel& island : work.inside->islands) {
     double gain = 0, kinetic = 0;
     for (const int object : island.objects) {

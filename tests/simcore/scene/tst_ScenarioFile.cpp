@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "simcore/scene/SceneScale.h"
 #include "tests/simcore/file/TemporaryFolder.h"
 #include "tests/simcore/scene/SampleJoint.h"
 
@@ -114,6 +115,25 @@ Error faultOf(const std::string& path) {
   const auto loaded = loadScenario(path);
   EXPECT_FALSE(loaded.ok()) << path;
   return loaded.ok() ? Error{} : loaded.error();
+}
+
+TEST(ScenarioFile, lengthsThatAreLeftOpenStayOpenAndTheFirstFormMeantTheShouldersOwn) {
+  const TemporaryFolder folder;
+  const std::string path = folder.put("a.scenario.json", kMinimal + "}");
+  const Scenario older = loadScenario(path).value();
+  EXPECT_EQ(older.contactDistance, 0.0015);
+  EXPECT_EQ(older.recoverySpeedMax, 0.1);
+  folder.put("a.scenario.json", R"({"schemaVersion": 2, "id": "a", "name": "A", "joint": "x.joint"})");
+  const Scenario open = loadScenario(path).value();
+  EXPECT_EQ(open.contactDistance, 0);
+  EXPECT_EQ(open.recoverySpeedMax, 0);
+  saveScenario(open, path).value();
+  EXPECT_EQ(folder.get("a.scenario.json").find("contactDistance"), std::string::npos);
+  EXPECT_EQ(loadScenario(path).value().contactDistance, 0);
+  Joint joint;
+  EXPECT_EQ(scaled(joint, open).contactDistance, 0.0015) << "nothing has a size";
+  EXPECT_NEAR(scaled(joint, open).recoverySpeedMax, 0.1, 1e-15);
+  EXPECT_EQ(scaled(joint, older).contactDistance, 0.0015);
 }
 
 TEST(ScenarioFile, whatIsSavedComesBack) {

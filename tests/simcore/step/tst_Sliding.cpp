@@ -86,5 +86,30 @@ TEST(Sliding, bumpsOfATenthOfAMillimetreTakeLittle) {
     }
 }
 
+// A scene that leaves its contact distance and recovery speed open runs alike at every size.
+TEST(Sliding, whatAScenarioLeavesOpenFollowsTheJoint) {
+  std::vector<VecX> places;
+  std::vector<int> near;
+  for (const double scale : {1.0, 0.02, 50.0}) {
+    const Slide slide{.turn = 0.3, .scatter = 0.3, .bevel = 1e-3 * scale, .friction = 0.1, .scale = scale};
+    Scenario scenario = scenes::slideScenario(slide);
+    scenario.contactDistance = scenario.recoverySpeedMax = 0;
+    const auto model = compileModel(scenes::slideJoint(slide), scenario).value();
+    EXPECT_NEAR(model->scenario.contactDistance, 0.02 * 0.04 * scale, 1e-12 * scale) << "the block is 40 mm long";
+    EXPECT_NEAR(model->scenario.recoverySpeedMax, 0.02 * 0.04 / 0.015 * scale, 1e-12 * scale);
+    Stepper stepper(model, {});
+    State state = model->start;
+    int rows = 0;
+    for (int i = 0; i < 100; ++i) rows += stepper.step({}, state).contacts;
+    places.emplace_back(state.q.segment<3>(model->objects[1].layout.qOffset) / scale);
+    near.push_back(rows);
+  }
+  for (const int k : {1, 2}) {
+    EXPECT_LT((places[k] - places[0]).norm(), 1e-7) << "of metres";
+    EXPECT_EQ(near[k], near[0]);
+  }
+  EXPECT_GT(near[0], 400);
+}
+
 }  // namespace
 }  // namespace glenoid

@@ -80,8 +80,9 @@ TEST(Tunnelling, whatIsThrownAtAThinSheetStaysOnItsSide) {
           }
           std::printf("%s ball, %s sheet, %g ms, %g m/s: %.4f mm deep\n", ball == PartKind::Soft ? "soft" : "rigid",
                       sheet == PartKind::Soft ? "soft" : "rigid", 1e3 * dt, speed, 1e3 * deepest);
-          // What flies farther in one step than the soft sheet is wide carries it along by as much; 0.1 mm is not reached then.
-          EXPECT_LE(deepest, sheet == PartKind::Soft && speed * dt > 0.05 ? 5e-4 : 1e-4);
+          // What flies farther in one step than the soft sheet is wide carries it along by as much: 0.118 mm in one case here, and
+          // of 40 other points of impact at 20 and 60 m/s five more than 0.1 mm, three of them (0.8 mm) in a sheet that folded.
+          EXPECT_LE(deepest, sheet == PartKind::Soft && speed * dt > 0.05 ? 1.3e-4 : 1e-4);
           EXPECT_GT(lowest, -1e-4) << "through";
         }
 }
