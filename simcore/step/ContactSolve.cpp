@@ -16,7 +16,9 @@ namespace {
 /// no more, a hundred times that. Without gravity, what moves a tenth of that share of the contact distance in a step.
 constexpr double kFeelable = 1e-9, kFeelableAtMost = 1e-7;
 /// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step.
-constexpr int kRowsInImpulses = 500;
+constexpr int kRowsInImpulses = 800;
+/// And from so many where not even four times as many unknowns stand behind them.
+constexpr int kManyRows = 500;
 
 /// w_n = J v + n·drift + C λ − c of every contact of an island, from the velocities and impulses as they stand.
 void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
@@ -79,7 +81,7 @@ bool inVelocities(const Stepper::Work& work, const ContactIsland& island, int n)
     if (work.contacts[c].dent >= 0) return false;  // one compliance for several contacts
   int unknowns = 0;
   for (const int index : island.couplingIslands) unknowns += static_cast<int>(work.islands[index].b.size());
-  return n > kRowsInImpulses || (work.tangentialRows > 0 && n >= unknowns);
+  return n > kRowsInImpulses || (n > kManyRows && 4 * n > unknowns) || (work.tangentialRows > 0 && n >= unknowns);
 }
 
 /// Solves with the sparse matrix of the island's own velocities; they and the impulses are the answer.
@@ -163,7 +165,7 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     if (more > 0 && round >= kRounds)
       for (const int c : island.contacts) more += !std::exchange(work.contacts[c].chosen, true);
     if (more > 0) {
-      thorough = thorough && n > kRowsInImpulses;
+      thorough = thorough && n > kManyRows;
       continue;
     }
     if (!solved.exact && (tangential || velocities) && !std::exchange(thorough, true)) continue;
