@@ -46,10 +46,10 @@ TEST(BenchCommand, measuresEveryProfileAtBothNumbersOfContacts) {
     if (row["profile"] == "reference") {
       EXPECT_EQ(row["velocityError"], 0.0);
     }
-    // The same problem solved another way. Round-off may choose another of the answers that friction has where more contacts
-    // press than bodies have freedoms; each is exact.
+    // The same problem solved another way: 7e-11 here. Impulses may differ where more contacts press than bodies have
+    // freedoms, velocities do not.
     if (row["profile"] == "direct") {
-      EXPECT_LT(row["velocityError"], 1e-2) << row.dump();
+      EXPECT_LT(row["velocityError"], 1e-6) << row.dump();
       EXPECT_LT(row["complementarityMPerS"], 1e-8) << row.dump();
     }
   }
