@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "editor/core/AnatomyNames.h"
+#include "editor/core/PartName.h"
 #include "simcore/scene/ScenarioFile.h"
 
 namespace glenoid {
@@ -14,11 +14,6 @@ namespace {
 struct LoadEdits {
   Q_DECLARE_TR_FUNCTIONS(glenoid::LoadEdits)
 };
-
-QString nameOf(const Joint& joint, const std::string& part) {
-  const int index = findPart(joint, part);
-  return index < 0 || joint.parts[index].name.empty() ? QString::fromStdString(part) : anatomyName(joint.parts[index].name);
-}
 
 /// By the schema and by what the joint's parts can bear; whatever else the scenario holds is not asked about.
 bool sound(const Joint& joint, const Scenario& scenario) {
@@ -55,7 +50,7 @@ bool setLoadRise(Document& document, double seconds) {
 bool setLoad(Document& document, int index, const Load& load) {
   const bool finite = load.force_W.allFinite() && load.torque_W.allFinite() && (!load.point_W || load.point_W->allFinite());
   if (!has(document, index) || !finite) return false;
-  return change(document, LoadEdits::tr("Change a load on “%1”").arg(nameOf(document.joint(), load.part)), load.part,
+  return change(document, LoadEdits::tr("Change a load on “%1”").arg(partName(document.joint(), load.part)), load.part,
                 [&](Scenario& scenario) { scenario.loads[index] = load; }, QStringLiteral("load:%1").arg(index));
 }
 
@@ -63,14 +58,14 @@ bool addLoad(Document& document, const std::string& part) {
   Load load;
   load.part = part;
   load.force_W = -Vec3::UnitY();
-  return change(document, LoadEdits::tr("Add a load on “%1”").arg(nameOf(document.joint(), part)), part,
+  return change(document, LoadEdits::tr("Add a load on “%1”").arg(partName(document.joint(), part)), part,
                 [&](Scenario& scenario) { scenario.loads.push_back(load); });
 }
 
 bool removeLoad(Document& document, int index) {
   if (!has(document, index)) return false;
   const std::string part = document.scenario().loads[index].part;
-  return change(document, LoadEdits::tr("Remove a load from “%1”").arg(nameOf(document.joint(), part)), part,
+  return change(document, LoadEdits::tr("Remove a load from “%1”").arg(partName(document.joint(), part)), part,
                 [&](Scenario& scenario) { scenario.loads.erase(scenario.loads.begin() + index); });
 }
 

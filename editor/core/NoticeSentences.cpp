@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 
-#include "editor/core/AnatomyNames.h"
+#include "editor/core/PartName.h"
 #include "editor/core/Sentences.h"
 
 namespace glenoid {
@@ -94,10 +94,9 @@ QString sentenceOf(const Notice& notice, const NameOf& nameOf) { return NoticeSe
 
 NameOf namesIn(const Joint& joint, const Scenario& scenario) {
   return [&joint, &scenario](const std::string& id) {
-    const int part = findPart(joint, id), tool = findTool(scenario, id);
-    if (part >= 0 && !joint.parts[part].name.empty()) return anatomyName(joint.parts[part].name);
-    if (tool >= 0 && !scenario.tools[tool].name.empty()) return words(scenario.tools[tool].name);
-    return words(id);
+    const int tool = findTool(scenario, id);
+    if (tool >= 0 && !scenario.tools[tool].name.empty() && findPart(joint, id) < 0) return words(scenario.tools[tool].name);
+    return partName(joint, id);
   };
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/PartName.h"
 #include "editor/core/SameScene.h"
 
 namespace glenoid {
@@ -14,11 +15,6 @@ namespace {
 struct PartEdits {
   Q_DECLARE_TR_FUNCTIONS(glenoid::PartEdits)
 };
-
-QString nameOf(const Joint& joint, const std::string& part) {
-  const int index = findPart(joint, part);
-  return index < 0 || joint.parts[index].name.empty() ? QString::fromStdString(part) : anatomyName(joint.parts[index].name);
-}
 
 /// One step from the joint to another; false when it is the same.
 template <class Change>
@@ -73,7 +69,7 @@ bool reaches(const Region& region, const TriMesh& mesh) {
 }  // namespace
 
 bool renamePart(Document& document, const std::string& part, const QString& name) {
-  return changePart(document, part, PartEdits::tr("Rename “%1”").arg(nameOf(document.joint(), part)),
+  return changePart(document, part, PartEdits::tr("Rename “%1”").arg(partName(document.joint(), part)),
                     [&](Joint&, Part& p) { p.name = name.toStdString(); });
 }
 
@@ -81,7 +77,7 @@ bool setPartNumber(Document& document, const std::string& part, int number) {
   if (number < 1) return false;
   for (const Part& other : document.joint().parts)
     if (other.number == number) return false;
-  return changePart(document, part, PartEdits::tr("Number “%1”").arg(nameOf(document.joint(), part)),
+  return changePart(document, part, PartEdits::tr("Number “%1”").arg(partName(document.joint(), part)),
                     [&](Joint& joint, Part& p) {
                       p.number = number;
                       sortParts(joint);
@@ -91,7 +87,7 @@ bool setPartNumber(Document& document, const std::string& part, int number) {
 bool setPartKind(Document& document, const std::string& part, PartKind kind, std::shared_ptr<const TetMesh> volume,
                  double cellSize) {
   if (kind == PartKind::Soft && (!volume || volume->tets.empty())) return false;
-  const QString name = nameOf(document.joint(), part);
+  const QString name = partName(document.joint(), part);
   return changePart(document, part, kind == PartKind::Soft ? PartEdits::tr("Make “%1” soft").arg(name) : PartEdits::tr("Make “%1” rigid").arg(name),
                     [&](Joint& joint, Part& p) {
                       p.kind = kind;
@@ -102,7 +98,7 @@ bool setPartKind(Document& document, const std::string& part, PartKind kind, std
 }
 
 bool setPartColor(Document& document, const std::string& part, const std::array<float, 3>& color) {
-  return changePart(document, part, PartEdits::tr("Colour “%1”").arg(nameOf(document.joint(), part)),
+  return changePart(document, part, PartEdits::tr("Colour “%1”").arg(partName(document.joint(), part)),
                     [&](Joint&, Part& p) { p.color = color; }, QStringLiteral("color:") + QString::fromStdString(part));
 }
 
@@ -113,7 +109,7 @@ bool setPartMaterials(Document& document, const std::string& part, const std::ve
     if (findMaterial(document.joint(), use.material) < 0 ||
         (!use.region.empty() && !findRegion(document.joint().parts[index], use.region)))
       return false;
-  return changePart(document, part, PartEdits::tr("Change the materials of “%1”").arg(nameOf(document.joint(), part)),
+  return changePart(document, part, PartEdits::tr("Change the materials of “%1”").arg(partName(document.joint(), part)),
                     [&](Joint&, Part& p) { p.materials = materials; });
 }
 
@@ -130,7 +126,7 @@ bool addPart(Document& document, const Part& part) {
 
 bool removePart(Document& document, const std::string& part) {
   if (findPart(document.joint(), part) < 0) return false;
-  return change(document, PartEdits::tr("Remove “%1”").arg(nameOf(document.joint(), part)), [&](Scene& scene) {
+  return change(document, PartEdits::tr("Remove “%1”").arg(partName(document.joint(), part)), [&](Scene& scene) {
     Joint& joint = scene.joint;
     joint.parts.erase(joint.parts.begin() + findPart(joint, part));
     dropReferences(joint, part, {});
@@ -145,7 +141,7 @@ bool removePart(Document& document, const std::string& part) {
 
 bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh) {
   if (!mesh || mesh->triangles.empty()) return false;
-  const QString name = nameOf(document.joint(), part);
+  const QString name = partName(document.joint(), part);
   const QString text = kind == SurfaceKind::Visual ? PartEdits::tr("Replace the visual surface of “%1”").arg(name)
                                                    : PartEdits::tr("Replace the collision surface of “%1”").arg(name);
   const int index = findPart(document.joint(), part);
@@ -168,7 +164,7 @@ bool setPartSurface(Document& document, const std::string& part, SurfaceKind kin
 bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize) {
   const int index = findPart(document.joint(), part);
   if (index < 0 || document.joint().parts[index].kind != PartKind::Soft || !volume || volume->tets.empty()) return false;
-  return changePart(document, part, PartEdits::tr("Embed “%1” in other cells").arg(nameOf(document.joint(), part)),
+  return changePart(document, part, PartEdits::tr("Embed “%1” in other cells").arg(partName(document.joint(), part)),
                     [&](Joint&, Part& p) {
                       p.volume = volume;
                       p.cellSize = cellSize;
@@ -205,13 +201,13 @@ bool addExclusion(Document& document, const Exclusion& exclusion) {
   for (const Exclusion& e : joint.exclusions)
     if (samePair(e, exclusion.partA, exclusion.partB)) return false;
   return change(document, PartEdits::tr("Switch off contact between “%1” and “%2”")
-                              .arg(nameOf(joint, exclusion.partA), nameOf(joint, exclusion.partB)),
+                              .arg(partName(joint, exclusion.partA), partName(joint, exclusion.partB)),
                 [&](Scene& scene) { scene.joint.exclusions.push_back(exclusion); });
 }
 
 bool removeExclusion(Document& document, const std::string& partA, const std::string& partB) {
   return change(document, PartEdits::tr("Switch on contact between “%1” and “%2”")
-                              .arg(nameOf(document.joint(), partA), nameOf(document.joint(), partB)),
+                              .arg(partName(document.joint(), partA), partName(document.joint(), partB)),
                 [&](Scene& scene) {
                   std::erase_if(scene.joint.exclusions, [&](const Exclusion& e) { return samePair(e, partA, partB); });
                 });

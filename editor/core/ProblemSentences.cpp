@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/PartName.h"
 #include "editor/core/NoticeSentences.h"
 #include "editor/core/Sentences.h"
 #include "simcore/check/FixProblem.h"
@@ -22,10 +23,7 @@ struct ProblemSentences {
   QString fix() const;
 
  private:
-  QString name(const std::string& id) const {
-    const int index = findPart(m_joint, id);
-    return index < 0 || m_joint.parts[index].name.empty() ? QString::fromStdString(id) : anatomyName(m_joint.parts[index].name);
-  }
+  QString name(const std::string& id) const { return partName(m_joint, id); }
   QString materialName(const std::string& id) const {
     const int index = findMaterial(m_joint, id);
     return index < 0 || m_joint.materials[index].name.empty() ? QString::fromStdString(id)

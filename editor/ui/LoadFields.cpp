@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 #include <QTimer>
 
-#include "editor/core/AnatomyNames.h"
+#include "editor/core/PartName.h"
 #include "editor/ui/PanelParts.h"
 
 namespace glenoid {
@@ -57,10 +57,9 @@ void LoadFields::showLoad(QFormLayout& form, int index) {
   const Load& load = m_document.scenario().loads[index];
   const int part = findPart(m_document.joint(), load.part);
   const bool rigid = part >= 0 && m_document.joint().parts[part].kind == PartKind::Rigid;
-  const QString name = part < 0 || m_document.joint().parts[part].name.empty() ? panel::text(load.part) : anatomyName(m_document.joint().parts[part].name);
   const QByteArray prefix = "load." + QByteArray::number(index);
   QLabel* title = panel::words(prefix + ".title", "hint");
-  title->setText(tr("%1. On “%2”").arg(QString::number(index + 1), name));
+  title->setText(tr("%1. On “%2”").arg(QString::number(index + 1), partName(m_document.joint(), load.part)));
   QPushButton* remove = panel::button(prefix + ".remove");
   remove->setText(tr("Remove"));
   remove->setAccessibleName(tr("Remove load %1").arg(index + 1));

@@ -11,7 +11,8 @@ namespace {
 
 void reserve(ConeWork& work, std::size_t contacts, int n) {
   if (work.lambda.size() < n)
-    for (VecX* vector : {&work.lambda, &work.lambda0, &work.w, &work.dw, &work.aim, &work.best, &work.newton, &work.start, &work.step, &work.slip, &work.push, &work.answer})
+    for (VecX* vector : {&work.lambda, &work.lambda0, &work.w, &work.dw, &work.aim, &work.best, &work.newton, &work.start, &work.step,
+                         &work.slip, &work.push, &work.answer})
       vector->resize(n + n / 2 + 8);
   if (work.penalty.size() >= contacts) return;
   const std::size_t room = contacts + contacts / 2 + 8;

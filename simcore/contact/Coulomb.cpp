@@ -10,8 +10,8 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Rows from which the friction solve is bounded by what it costs, and then steps on the convex law times rows.
-constexpr int kRowsOfMany = 500, kStepRows = 100000;
+/// From kManyRows on: steps on the convex law times rows.
+constexpr int kStepRows = 100000;
 
 /// Largest eigenvalue of the 2×2 block at (i, i).
 double stiffest(const Eigen::Ref<const MatX>& W, int i) {
@@ -69,7 +69,7 @@ ConeLimits coneLimits(const LcpLimits& limits, const Eigen::Ref<const VecX>& d) 
   cones.turns = limits.turns;
   // A step's cost follows the rows: from some hundred on, what does not settle soon is said rather than waited for.
   const int rows = static_cast<int>(d.size());
-  if (rows > kRowsOfMany) {
+  if (rows > kManyRows) {
     cones.turns = std::min(limits.turns, 1);
     cones.newton = limits.turns > 0 ? 15 : 6;
     cones.convex = std::clamp(kStepRows / rows, 20, cones.convex);

@@ -7,6 +7,9 @@
 
 namespace glenoid {
 
+/// From so many rows on the friction solve is bounded by what it costs: the number of its steps falls as rows grow.
+inline constexpr int kManyRows = 500;
+
 /// Scratch that only grows.
 struct CoulombWork {
   ImpulseSystem system;

@@ -15,10 +15,9 @@ namespace {
 /// left moves a block at rest by less than a micron an hour. Where many stiff contacts depend on each other and steps bring
 /// no more, a hundred times that. Without gravity, what moves a tenth of that share of the contact distance in a step.
 constexpr double kFeelable = 1e-9, kFeelableAtMost = 1e-7;
-/// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step.
+/// From so many rows on W, which is dense, would cost more than a sparse factorization for each Newton step; from kManyRows
+/// on where not even four times as many unknowns stand behind them.
 constexpr int kRowsInImpulses = 800;
-/// And from so many where not even four times as many unknowns stand behind them.
-constexpr int kManyRows = 500;
 
 /// w_n = J v + n·drift + C λ − c of every contact of an island, from the velocities and impulses as they stand.
 void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
@@ -149,7 +148,8 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     limits.turns = thorough ? limits.turns : 0;
     if (work.tangentialRows) {
       const double dt = work.settings.dt;
-      const double felt = std::max(dt * work.model->scenario.gravity_W.norm(), 0.1 * work.model->scenario.contactDistance / dt);
+      const double gravity = work.model->scenario.gravity_W.norm();
+      const double felt = gravity > 0 ? dt * gravity : 0.1 * work.model->scenario.contactDistance / dt;
       limits.tolerance = kFeelable * felt;
       limits.enough = kFeelableAtMost * felt;
     }

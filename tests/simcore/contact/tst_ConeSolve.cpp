@@ -56,6 +56,14 @@ struct Chain {
     }
     for (const auto& row : terms) rows.emplace_back(row);
   }
+  /// The chain as the whole problem of `system`, whose calls it has to outlive.
+  void into(VelocitySystem& system) {
+    islands = {island()};
+    compliance.assign(contacts.size(), 0.0);
+    system.set(islands, contacts, compliance, d);
+  }
+  std::vector<VelocityIsland> islands;
+  std::vector<double> compliance;
   VelocityIsland island() { return {A.get(), &b, response.get(), rows, ids, &v}; }
   MatX jacobian() const {
     MatX J = MatX::Zero(static_cast<Eigen::Index>(rows.size()), b.size());
@@ -69,13 +77,11 @@ struct Chain {
 TEST(VelocitySystem, answersAsTheImpulseSystemDoes) {
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
     Chain chain(12, 8, 30, 0.4, seed);
-    const std::vector<VelocityIsland> islands{chain.island()};
-    const std::vector<double> compliance(8, 0.0);
     ConeLimits limits;
     limits.tolerance = limits.enough = 1e-11;
     ConeWork work;
     VelocitySystem velocities(true);
-    velocities.set(islands, chain.contacts, compliance, chain.d);
+    chain.into(velocities);
     VecX lambda = VecX::Zero(24);
     ASSERT_TRUE(solveCones(velocities, lambda, limits, work).exact) << seed;
     const MatX J = chain.jacobian(), W = chain.delassus();
@@ -93,10 +99,8 @@ TEST(VelocitySystem, answersAsTheImpulseSystemDoes) {
 TEST(VelocitySystem, knowsWhatStiffTissueAnswers) {
   // One node of a stiff chain takes all others along: the block alone would say a hundredth of the truth.
   Chain chain(20, 10, 1e3, 0.4, 7);
-  const std::vector<VelocityIsland> islands{chain.island()};
-  const std::vector<double> compliance(10, 0.0);
   VelocitySystem velocities(true);
-  velocities.set(islands, chain.contacts, compliance, chain.d);
+  chain.into(velocities);
   const MatX W = chain.delassus();
   for (int c = 0; c < 10; ++c) {
     const double truth = W.block<3, 3>(3 * c, 3 * c).diagonal().maxCoeff();
@@ -108,24 +112,20 @@ TEST(VelocitySystem, knowsWhatStiffTissueAnswers) {
 TEST(VelocitySystem, keepsItsPatternWhileContactsStayWithinIt) {
   VelocitySystem velocities(true);
   Chain near(12, 6, 10, 0.3, 1, 1), far(12, 6, 10, 0.3, 1, 5);
-  const std::vector<double> compliance(6, 0.0);
-  std::vector<VelocityIsland> islands{near.island()};
-  velocities.set(islands, near.contacts, compliance, near.d);
+  near.into(velocities);
   EXPECT_TRUE(velocities.renewed());
-  velocities.set(islands, near.contacts, compliance, near.d);
+  near.into(velocities);
   EXPECT_FALSE(velocities.renewed()) << "neighbours in the chain are joined already";
   // Rows of the other chain over the first one's matrix: they join nodes that nothing joined.
-  islands = {{near.A.get(), &near.b, near.response.get(), far.rows, far.ids, &near.v}};
-  velocities.set(islands, far.contacts, compliance, far.d);
+  const std::vector<VelocityIsland> islands{{near.A.get(), &near.b, near.response.get(), far.rows, far.ids, &near.v}};
+  velocities.set(islands, far.contacts, near.compliance, far.d);
   EXPECT_TRUE(velocities.renewed());
 }
 
 TEST(VelocitySystem, anImpulseOutOfBalanceIsSeen) {
   Chain chain(6, 2, 5, 0.3, 3);
-  const std::vector<VelocityIsland> islands{chain.island()};
-  const std::vector<double> compliance(2, 0.0);
   VelocitySystem velocities(true);
-  velocities.set(islands, chain.contacts, compliance, chain.d);
+  chain.into(velocities);
   VecX lambda = VecX::Zero(6), w(6);
   lambda[0] = 0.5;
   velocities.begin(lambda, w);

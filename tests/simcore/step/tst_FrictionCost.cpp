@@ -3,22 +3,12 @@
 // rest, heavy on light.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "simcore/step/Stepper.h"
-#include "tests/scenes/BlockScenes.h"
+#include "tests/simcore/step/FrictionCourse.h"
 
 namespace glenoid {
 namespace {
 
 constexpr double kGravity = 9.81;
-
-Part rigidBox(const std::string& id, int number, const Vec3& low, const Vec3& high, int squares) {
-  Part part = scenes::boxPart(id, number, PartKind::Rigid, low, high);
-  part.collision = std::make_shared<TriMesh>(scenes::boxSurface(low, high, squares));
-  part.visual = part.collision;
-  return part;
-}
 
 struct Scene {
   Joint joint;
@@ -40,34 +30,6 @@ struct Scene {
   }
 };
 
-struct Course {
-  std::vector<double> ms;
-  int newton = 0, velocities = 0, convex = 0, rows = 0, active = 0;
-  long unsettled = 0;
-  double worst = 0;  ///< m/s
-  double median() {
-    std::sort(ms.begin(), ms.end());
-    return ms[ms.size() / 2];
-  }
-};
-
-Course runFor(Stepper& stepper, State& state, int steps) {
-  Course run;
-  for (int i = 0; i < steps; ++i) {
-    const StepReport& report = stepper.step({}, state);
-    EXPECT_TRUE(report.taken);
-    run.ms.push_back(report.stepCpuMs);
-    run.newton += report.contactSolver.newtonMax;
-    run.velocities += report.contactSolver.velocities;
-    run.convex += report.contactSolver.convex;
-    run.rows = std::max(run.rows, report.contactSolver.rowsMax);
-    run.active = std::max(run.active, report.active);
-    run.unsettled += report.pivotsExhausted;
-    run.worst = std::max(run.worst, report.complementarity);
-  }
-  return run;
-}
-
 TEST(FrictionCost, aBlockAtRestSettlesAndCostsAtMostTwiceTheFrictionlessOne) {
   for (const int squares : {4, 12}) {  // 25 and 169 vertices below
     Course runs[2];
@@ -81,13 +43,13 @@ TEST(FrictionCost, aBlockAtRestSettlesAndCostsAtMostTwiceTheFrictionlessOne) {
       runFor(stepper, state, 60);  // falls 0.2 mm and lies
       runs[rough] = runFor(stepper, state, 101);
     }
-    Course &smooth = runs[0], &rough = runs[1];
+    const Course &smooth = runs[0], &rough = runs[1];
     std::printf("%d squares: %.4f ms without, %.4f ms with friction, %d rows, %d active, Newton steps %d in 101 steps, unsettled %ld, error %.1e m/s\n",
-                squares, smooth.median(), rough.median(), rough.rows, rough.active, rough.newton, rough.unsettled, rough.worst);
+                squares, medianOf(smooth.stepMs), medianOf(rough.stepMs), rough.rows, rough.active, rough.newton, rough.unsettled, rough.worst);
     EXPECT_GE(rough.active, 4);
     EXPECT_EQ(rough.unsettled, 0);
     EXPECT_LE(rough.newton, 2 * 101) << "a step begins where the last one ended";
-    EXPECT_LE(rough.median(), 2 * smooth.median());
+    EXPECT_LE(medianOf(rough.stepMs), 2 * medianOf(smooth.stepMs));
   }
 }
 
