@@ -57,6 +57,22 @@ TEST(Fill, partsAddUpToTheEnclosedVolume) {
   }
 }
 
+TEST(Fill, momentsOfACutTetrahedronAreThoseOfItsPieces) {
+  // The corner tetrahedron of the unit cube cut at x = c loses the one at (1, 0, 0), shrunk by s = 1 − c. Its λ are
+  // λ_1 = c + s µ_1 and s µ_i; ∫ µ_i µ_j = V (1 + δ_ij)/20 with V = s³/6.
+  const TetMesh mesh{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 1, 2, 3}}};
+  const Eigen::Matrix4d even = (Eigen::Matrix4d::Ones() + Eigen::Matrix4d::Identity()) / 20;
+  for (const double c : {0.1, 0.5, 0.9}) {
+    const double s = 1 - c, volume = s * s * s / 6;
+    Eigen::Matrix4d to = s * Eigen::Matrix4d::Identity();  // λ = to µ, since Σ µ = 1
+    to.row(1) += c * Vec4::Ones().transpose();
+    const Eigen::Matrix4d wanted = even / 6 - volume * to * even * to.transpose();
+    const Eigen::Matrix4d found = enclosedMoments(mesh, shapes::box(Vec3(-1, -1, -1), Vec3(c, 2, 2)))[0];
+    EXPECT_LT((found - wanted).norm(), 1e-15) << c;
+    EXPECT_NEAR(found.sum(), enclosedVolumes(mesh, shapes::box(Vec3(-1, -1, -1), Vec3(c, 2, 2)))[0], 1e-15);
+  }
+}
+
 TEST(Fill, agreesWithCounting) {
   // Independent of the clipping: points of a fine regular lattice in barycentric coordinates, inside the ball
   // that has the facets' volume.
