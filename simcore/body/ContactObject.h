@@ -75,6 +75,10 @@ class ContactObject {
   /// for a fixed object); `terms` has room for kMaxPointTerms. Which blocks appear depends on the point only.
   virtual int rowTerms(const MaterialPoint& point, const Vec3& d, const VecX& q, int base, RowTerm* terms) const = 0;
 
+  /// Adds to each block the mass it has together with the object's other blocks, kg: with it the diagonal of M is what the
+  /// block would weigh alone, and a splitting by blocks converges for M.
+  virtual void addSharedMass(Eigen::Ref<VecX>) const {}
+
   virtual double mass() const = 0;  ///< kg
   virtual double kineticEnergy(const State& state) const = 0;  ///< J
   virtual double elasticEnergy(const State& state) const = 0;  ///< J

@@ -2,7 +2,6 @@
 #include "simcore/body/SoftObject.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "simcore/fem/Rotation.h"
 
@@ -11,6 +10,17 @@ namespace glenoid {
 namespace {
 /// The ten blocks of an element on and below the diagonal, by local node.
 constexpr auto& kPairs = kPackPairs;
+
+/// Share of an element's whole mass that is added where it holds next to nothing, so that M is definite: far above the
+/// round-off of the moments, far below a millionth of a part.
+constexpr double kMassFloor = 1e-9, kNextToNothing = 0.01;
+
+/// ∫ λ λᵀ over the tissue of a tetrahedron, m³, with the floor.
+Eigen::Matrix4d massShape(const ElementTissue& tissue, double volume) {
+  const Eigen::Matrix4d whole = volume / 20 * (Eigen::Matrix4d::Ones() + Eigen::Matrix4d::Identity());
+  if (!tissue.moments) return tissue.fill * whole;
+  return *tissue.moments + (tissue.moments->sum() < kNextToNothing * volume ? kMassFloor : 0) * whole;
+}
 }  // namespace
 
 SoftObject::SoftObject(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh, int rotationOffset)
@@ -20,8 +30,7 @@ Result<std::unique_ptr<SoftObject>> SoftObject::make(const ObjectLayout& layout,
                                                      const std::vector<ElementTissue>& tissue, int rotationOffset) {
   std::unique_ptr<SoftObject> soft(new SoftObject(layout, std::move(mesh), rotationOffset));
   const TetMesh& tets = *soft->m_mesh;
-  soft->m_nodeMass.assign(tets.nodes.size(), 0);
-  soft->m_nodeDrag.assign(tets.nodes.size(), 0);
+  std::vector<MassPair> masses;
   for (std::size_t e = 0; e < tets.tets.size(); ++e) {
     Mat34 x0;
     for (int i = 0; i < 4; ++i) x0.col(i) = tets.nodes[tets.tets[e][i]];
@@ -30,14 +39,16 @@ Result<std::unique_ptr<SoftObject>> SoftObject::make(const ObjectLayout& layout,
       element.error().place.element = static_cast<long>(e);
       return element.error();
     }
-    const double quarter = tissue[e].density * element->volume / 4;
-    for (int i = 0; i < 4; ++i) {
-      soft->m_nodeMass[tets.tets[e][i]] += quarter;
-      soft->m_nodeDrag[tets.tets[e][i]] += quarter * tissue[e].massDamping;
+    const Eigen::Matrix4d shape = massShape(tissue[e], element->volume / tissue[e].fill);
+    for (const auto& [i, j] : kPairs) {
+      const double mass = tissue[e].density * shape(i, j);
+      const auto [low, high] = std::minmax(tets.tets[e][i], tets.tets[e][j]);
+      masses.push_back({high, low, mass, mass * tissue[e].massDamping});
     }
     soft->m_elements.push_back(*element);
     soft->m_stiffnessDamping.push_back(tissue[e].stiffnessDamping);
   }
+  soft->m_mass = MassMatrix(static_cast<int>(tets.nodes.size()), std::move(masses));
   soft->buildPacks();
   return soft;
 }
@@ -68,10 +79,10 @@ void SoftObject::appendBlockPairs(int base, std::vector<std::array<int, 2>>& pai
 
 std::vector<BlockEntry> SoftObject::blockEntries(const BlockSymbolic& symbolic, int base) const {
   std::vector<BlockEntry> entries;
-  entries.reserve(m_mesh->tets.size() * 10 + m_mesh->nodes.size());
+  entries.reserve(m_mesh->tets.size() * 10 + m_mass.pairs().size());
   for (const auto& tet : m_mesh->tets)
     for (const auto& pair : kPairs) entries.push_back(symbolic.entry(base + tet[pair[0]], base + tet[pair[1]]));
-  for (int node = 0; node < layout().nodeCount; ++node) entries.push_back(symbolic.entry(base + node, base + node));
+  for (const MassPair& pair : m_mass.pairs()) entries.push_back(symbolic.entry(base + pair.row, base + pair.col));
   return entries;
 }
 
@@ -143,13 +154,14 @@ void SoftObject::assemble(const StepSettings& settings, const State& state, std:
       }
     }
   }
-  const std::span<const BlockEntry> diagonal = entries.subspan(10 * m_elements.size());
-  for (int node = 0; node < layout().nodeCount; ++node) {
-    const double drag = settings.damping ? dt * m_nodeDrag[node] : 0;
-    double* slot = A.slot(diagonal[node].slot);
-    for (int c = 0; c < 3; ++c) slot[5 * c] += m_nodeMass[node] + drag;
-    b.segment<3>(3 * node) += m_nodeMass[node] * (state.v.segment<3>(layout().vOffset + 3 * node) + dt * settings.gravity_W);
+  const std::span<const BlockEntry> massEntries = entries.subspan(10 * m_elements.size());
+  for (std::size_t k = 0; k < massEntries.size(); ++k) {
+    const MassPair& pair = m_mass.pairs()[k];
+    const double mass = pair.mass + (settings.damping ? dt * pair.drag : 0);
+    double* slot = A.slot(massEntries[k].slot);
+    for (int c = 0; c < 3; ++c) slot[5 * c] += mass;
   }
+  m_mass.addProduct(state.v.segment(layout().vOffset, layout().vSize), dt * settings.gravity_W, b);
 }
 
 void SoftObject::advance(double dt, State& state) const {
@@ -176,14 +188,22 @@ int SoftObject::rowTerms(const MaterialPoint& point, const Vec3& d, const VecX&,
   return point.count;
 }
 
-double SoftObject::mass() const { return std::accumulate(m_nodeMass.begin(), m_nodeMass.end(), 0.0); }
+void SoftObject::addSharedMass(Eigen::Ref<VecX> perNode) const {
+  for (const MassPair& pair : m_mass.pairs()) {
+    if (pair.row == pair.col) continue;
+    perNode[pair.row] += pair.mass;
+    perNode[pair.col] += pair.mass;
+  }
+}
+
+double SoftObject::mass() const { return m_mass.total(); }
 
 double SoftObject::kineticEnergy(const State& state) const {
   if (!layout().free) return 0;
-  double energy = 0;
-  for (int node = 0; node < layout().nodeCount; ++node)
-    energy += 0.5 * m_nodeMass[node] * state.v.segment<3>(layout().vOffset + 3 * node).squaredNorm();
-  return energy;
+  const auto v = state.v.segment(layout().vOffset, layout().vSize);
+  VecX momentum = VecX::Zero(layout().vSize);
+  m_mass.addProduct(v, Vec3::Zero(), momentum);
+  return 0.5 * v.dot(momentum);
 }
 
 Mat3 SoftObject::rotationOf(int element, const Mat3& F, const State& state) const {
@@ -216,9 +236,11 @@ Vec6 SoftObject::momentum(const State& state) const {
 }
 
 Vec6 SoftObject::momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const {
+  VecX momentum = VecX::Zero(v.size());
+  m_mass.addProduct(v, Vec3::Zero(), momentum);
   Vec6 sum = Vec6::Zero();
   for (int node = 0; node < layout().nodeCount; ++node) {
-    const Vec3 p = m_nodeMass[node] * v.segment<3>(3 * node);
+    const Vec3 p = momentum.segment<3>(3 * node);
     sum.head<3>() += p;
     sum.tail<3>() += q.segment<3>(layout().qOffset + 3 * node).cross(p);
   }
@@ -226,7 +248,10 @@ Vec6 SoftObject::momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) cons
 }
 
 void SoftObject::addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const {
-  for (int node = 0; node < layout().nodeCount; ++node) f.segment<3>(3 * node) += m_nodeMass[node] * acceleration_W;
+  for (const MassPair& pair : m_mass.pairs()) {
+    f.segment<3>(3 * pair.row) += pair.mass * acceleration_W;
+    if (pair.row != pair.col) f.segment<3>(3 * pair.col) += pair.mass * acceleration_W;
+  }
 }
 
 }  // namespace glenoid

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "simcore/base/Error.h"
 #include "simcore/body/ContactObject.h"
+#include "simcore/body/MassMatrix.h"
 #include "simcore/fem/CorotTet.h"
 #include "simcore/fem/ElementPack.h"
 #include "simcore/mesh/TetMesh.h"
@@ -16,7 +18,9 @@ struct ElementTissue {
   double density = 1000;           ///< kg/m³
   double massDamping = 0;          ///< Rayleigh α, 1/s
   double stiffnessDamping = 0;     ///< Rayleigh β, s
-  double fill = 1;                 ///< fraction of the element that is tissue
+  double fill = 1;                 ///< fraction of the element's stiffness that is there, above 0
+  /// ∫ λ λᵀ over the tissue in the element, m³ (embed/Fill.h); without them it is spread over the element, times fill.
+  std::optional<Eigen::Matrix4d> moments = std::nullopt;
 };
 
 /// What an element says of its tissue, symmetric tensors in W: strain R (sym(RᵀF) − I) Rᵀ and stress, Pa, of the same law as
@@ -26,9 +30,10 @@ struct ElementReading {
   Mat3 strain_W, stress_W;
 };
 
-/// Deformable body: linear corotational tetrahedra, lumped mass; q = nodes, v = node velocities.
-/// An element's stiffness and mass are weighted by its fill, since a 1 mm ligament in 8 mm cells would
-/// otherwise be several times too stiff and too heavy.
+/// Deformable body: linear corotational tetrahedra, consistent mass; q = nodes, v = node velocities.
+/// An element's stiffness is weighted by its fill, since a 1 mm ligament in 8 mm cells would otherwise be several
+/// times too stiff; its mass is where its tissue is, so a part has the mass, mass centre and inertia of what its surface
+/// encloses.
 class SoftObject : public ContactObject {
  public:
   /// Fails with BadElement naming the element. `rotationOffset`: of the first element in State::rotations.
@@ -43,6 +48,7 @@ class SoftObject : public ContactObject {
   Vec3 position(const MaterialPoint& point, const VecX& q) const override;
   Vec3 velocity(const MaterialPoint& point, const VecX& q, const VecX& v) const override;
   int rowTerms(const MaterialPoint& point, const Vec3& d, const VecX& q, int base, RowTerm* terms) const override;
+  void addSharedMass(Eigen::Ref<VecX> perNode) const override;
   double mass() const override;
   double kineticEnergy(const State& state) const override;
   /// With rotations found from the guesses in State::rotations.
@@ -68,8 +74,7 @@ class SoftObject : public ContactObject {
   std::vector<CorotTet> m_elements;
   std::vector<ElementPack> m_packs;        ///< the same elements, four at a time
   std::vector<double> m_stiffnessDamping;  ///< of each element, s
-  std::vector<double> m_nodeMass;          ///< kg
-  std::vector<double> m_nodeDrag;          ///< α·mass, kg/s
+  MassMatrix m_mass;
   int m_rotationOffset;
 };
 

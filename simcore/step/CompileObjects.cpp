@@ -27,7 +27,10 @@ SurfaceBinding bindSurface(const std::shared_ptr<const TriMesh>& mesh, const Tet
 }
 
 Result<std::vector<ElementTissue>> tissueOf(const Joint& joint, const Part& part) {
-  const std::vector<double> fill = fillFractions(*part.volume, *part.visual);
+  const std::vector<Eigen::Matrix4d> moments = enclosedMoments(*part.volume, *part.visual);
+  std::vector<double> enclosed;
+  for (const Eigen::Matrix4d& m : moments) enclosed.push_back(m.sum());
+  const std::vector<double> fill = fillFractions(*part.volume, enclosed);
   const std::vector<int> label = labelTets(*part.volume, *part.visual, useOfTriangles(part));
   std::vector<ElementTissue> tissue;
   for (std::size_t tet = 0; tet < fill.size(); ++tet) {
@@ -36,7 +39,7 @@ Result<std::vector<ElementTissue>> tissueOf(const Joint& joint, const Part& part
     if (index < 0) return Error{Fault::UnknownId, {"", "", part.id, {}}, {id, "material"}, ""};
     const Material& material = joint.materials[index];
     tissue.push_back({lameFrom(material.youngsModulus, material.poissonRatio), material.density, material.massDamping,
-                      material.stiffnessDamping, fill[tet]});
+                      material.stiffnessDamping, fill[tet], moments[tet]});
   }
   return tissue;
 }

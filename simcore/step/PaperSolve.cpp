@@ -38,6 +38,11 @@ bool fill(Splitting& splitting, const BlockMatrix& A) {
     for (int c = 0; c < 3; ++c)
       for (int r = 0; r < 3; ++r) target[4 * c + r] = splitting.transposed[k] ? source[4 * r + c] : source[4 * c + r];
   }
+  for (Eigen::Index block = 0; block < splitting.sharedMass.size(); ++block) {
+    const int index = static_cast<int>(block);
+    double* target = splitting.D->slot(splitting.symbolic->entry(index, index).slot);
+    for (int c = 0; c < 3; ++c) target[5 * c] += splitting.sharedMass[block];
+  }
   return splitting.response->factor(*splitting.D);
 }
 
@@ -63,6 +68,13 @@ void makeSplittings(const CouplingIslandModel& model, const StepModel& inside, b
   }
   std::erase_if(nodes, [&](const auto& pair) { return model.symbolic->entry(pair[0], pair[1]).slot < 0; });
   island.byNode = makeSplitting(*model.symbolic, model.blockCount, nodes, portable);
+  // A node's mass is its own and what it has together with its neighbours: with all of it on the diagonal the iteration
+  // converges for M (D⁻¹M has rows that add up to one), and its answer is the same.
+  island.byNode.sharedMass.setZero(model.blockCount);
+  for (std::size_t k = 0; k < model.objects.size(); ++k) {
+    const ContactObject& object = *inside.objects[model.objects[k]];
+    object.addSharedMass(island.byNode.sharedMass.segment(model.base[k], object.blockCount()));
+  }
   island.byObject = makeSplitting(*model.symbolic, model.blockCount, objects, portable);
 }
 

@@ -36,6 +36,7 @@ struct Splitting {
   std::shared_ptr<const BlockSymbolic> symbolic;
   std::vector<std::array<int, 2>> slots;   ///< slot of D, slot of A, for the lower blocks that D keeps
   std::vector<char> transposed;            ///< the two store it turned
+  VecX sharedMass;                         ///< of each block with blocks outside D, which D's diagonal takes, kg; empty: none
   std::unique_ptr<BlockMatrix> D;
   std::unique_ptr<ImpulseResponse> response;
 };

@@ -49,8 +49,21 @@ TEST(SoftObject, matrixIsMassPlusStiffnessOfTheStep) {
   // A = M + (Δt² + Δt β) K: the two differ by Δt β K, and their ratio is (Δt + β)/Δt after M is taken off.
   const MatX K = (with.toDense() - without.toDense()) / (1e-2 * 2e-3);
   const MatX M = without.toDense() - 1e-4 * K;
-  EXPECT_NEAR(M.diagonal().sum() / 3, bar.soft->mass(), 1e-9 * bar.soft->mass() + 1e-12);
-  EXPECT_LT((M - MatX(M.diagonal().asDiagonal())).norm(), 1e-9 * M.norm() + 1e-12 * K.norm());
+  // M holds one number for each pair of nodes: rows add up to what a node would carry alone, all of it to the mass.
+  const int n = bar.layout.nodeCount;
+  MatX shares(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const Mat3 block = M.block<3, 3>(3 * i, 3 * j);
+      shares(i, j) = block(0, 0);
+      EXPECT_LT((block - shares(i, j) * Mat3::Identity()).norm(), 1e-9 * M.norm() + 1e-12 * K.norm());
+    }
+  EXPECT_NEAR(shares.sum(), bar.soft->mass(), 1e-9 * bar.soft->mass() + 1e-12);
+  // By hand: ρ V/20 (1 + δ_ij) of each tetrahedron.
+  for (std::size_t e = 0; e < bar.mesh->tets.size(); ++e)
+    for (const int i : bar.mesh->tets[e])
+      for (const int j : bar.mesh->tets[e]) shares(i, j) -= 1000 * tetVolume(*bar.mesh, static_cast<int>(e)) / 20 * (i == j ? 2 : 1);
+  EXPECT_LT(shares.norm(), 1e-9 * bar.soft->mass() + 1e-12 * K.norm());
   const VecX translation = Vec3(1, 2, 3).replicate(bar.layout.nodeCount, 1);
   EXPECT_LT((K * translation).norm(), 1e-9 * K.norm());
 }
