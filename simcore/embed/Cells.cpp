@@ -14,14 +14,6 @@ namespace {
 constexpr double kMostCells = 1e6;
 constexpr double kTouch = 1e-9;  // of a cell's edge
 
-/// Corners of a cell are numbered by the bits of their coordinates (x lowest). Four corner tetrahedra and the
-/// regular one between; the odd cell is the mirror image, so the diagonals of shared faces agree. All
-/// positive.
-constexpr int kFive[2][5][4] = {
-    {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}},
-    {{1, 0, 5, 3}, {2, 3, 6, 0}, {4, 5, 0, 6}, {7, 6, 3, 5}, {0, 6, 5, 3}},
-};
-
 using Tet4 = std::array<Vec3, 4>;
 
 Tet4 tetOf(const Lattice& lattice, const Vec3& cell, const std::array<int, 3>& at, int which) {

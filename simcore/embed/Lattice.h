@@ -9,6 +9,14 @@
 
 namespace glenoid {
 
+/// Corners of a cell are numbered by the bits of their coordinates (x lowest). Four corner tetrahedra and the
+/// regular one between; the odd cell is the mirror image, so the diagonals of shared faces agree. All
+/// positive.
+inline constexpr int kFive[2][5][4] = {
+    {{0, 1, 2, 4}, {3, 2, 1, 7}, {5, 4, 7, 1}, {6, 7, 4, 2}, {1, 2, 4, 7}},
+    {{1, 0, 5, 3}, {2, 3, 6, 0}, {4, 5, 0, 6}, {7, 6, 3, 5}, {0, 6, 5, 3}},
+};
+
 /// The two surfaces of a part with what is asked of them again and again while cells are tried. Internal.
 struct EmbeddedSurfaces {
   EmbeddedSurfaces(const TriMesh& visual, const TriMesh& collision);
