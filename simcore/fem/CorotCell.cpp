@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/fem/CorotCell.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/base/Turns.h"
+
+namespace glenoid {
+
+namespace {
+
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat6x24 = Eigen::Matrix<double, 6, 24>;
+using Mat6x9 = Eigen::Matrix<double, 6, 9>;
+using Mat9 = Eigen::Matrix<double, 9, 9>;
+
+/// Modes whose own stiffness is below this share of a full cell's are held instead: along a direction in which the tissue
+/// has no extent there is nothing for them to bend.
+constexpr double kModeFloor = 1e-6;
+/// Least sum of two principal stretches for which the turning of R is taken as it is; at rest each is 2.
+constexpr double kTurnFloor = 0.2;
+
+/// Strains in the order xx, yy, zz, xy, yz, zx, shears doubled.
+Mat6 elasticityOf(const Lame& lame) {
+  Mat6 D = Mat6::Zero();
+  D.topLeftCorner<3, 3>().setConstant(lame.lambda);
+  D.topLeftCorner<3, 3>().diagonal().array() += 2 * lame.mu;
+  D.bottomRightCorner<3, 3>().diagonal().setConstant(lame.mu);
+  return D;
+}
+
+/// Strain of a displacement e_k N with the gradient g of N, for k = 0, 1, 2 as columns.
+Eigen::Matrix<double, 6, 3> strainOf(const Vec3& g) {
+  Eigen::Matrix<double, 6, 3> B;
+  B << g.x(), 0, 0, 0, g.y(), 0, 0, 0, g.z(), g.y(), g.x(), 0, 0, g.z(), g.y(), g.z(), 0, g.x();
+  return B;
+}
+
+double sign(int corner, int axis) { return corner >> axis & 1 ? 1 : -1; }
+
+/// Gradients of the eight shape functions in the box's axes, 1/m.
+Mat38 gradientsAt(const std::array<double, 3>& xi, const Vec3& edges) {
+  Mat38 g;
+  for (int i = 0; i < 8; ++i)
+    for (int a = 0; a < 3; ++a) {
+      const int b = (a + 1) % 3, c = (a + 2) % 3;
+      g(a, i) = 0.25 * sign(i, a) * (1 + sign(i, b) * xi[b]) * (1 + sign(i, c) * xi[c]) / edges[a];
+    }
+  return g;
+}
+
+Mat6x24 strainsOf(const Mat38& gradients) {
+  Mat6x24 B;
+  for (int i = 0; i < 8; ++i) B.middleCols<3>(3 * i) = strainOf(gradients.col(i));
+  return B;
+}
+
+/// Strains of the modes (1 − ξ_a²) e_k, mode 3 a + k: linear in ξ_a.
+Mat6x9 modeStrains(const std::array<double, 3>& xi, const Vec3& edges) {
+  Mat6x9 B;
+  for (int a = 0; a < 3; ++a) B.middleCols<3>(3 * a) = strainOf(-4 * xi[a] / edges[a] * Vec3::Unit(a));
+  return B;
+}
+
+/// K_uu − K_ua K_aa⁻¹ K_uaᵀ in the box's axes.
+Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue) {
+  BoxMoments all;
+  for (const CellTissue& t : tissue) all += t.moments;
+  const Vec3 centroid = meanOf(all);
+  const Mat6x9 mean = modeStrains({centroid.x(), centroid.y(), centroid.z()}, edges);
+  Mat24 K = Mat24::Zero();
+  Eigen::Matrix<double, 24, 9> Kua = Eigen::Matrix<double, 24, 9>::Zero();
+  Mat9 Kaa = Mat9::Zero();
+  Lame stiffest;
+  for (const CellTissue& t : tissue) {
+    const Mat6 D = elasticityOf(t.lame);
+    stiffest = {std::max(stiffest.lambda, t.lame.lambda), std::max(stiffest.mu, t.lame.mu)};
+    for (const BoxPoint& point : boxPoints(t.moments)) {
+      const Mat6x24 B = strainsOf(gradientsAt(point.xi, edges));
+      const Mat6x9 E = modeStrains(point.xi, edges) - mean;
+      const Mat6x24 stress = D * B;
+      K += point.weight * B.transpose() * stress;
+      Kua += point.weight * stress.transpose() * E;
+      Kaa += point.weight * E.transpose() * D * E;
+    }
+  }
+  // The full cell's: ∫ (4 ξ / h)² over it is 16 V / 3 h².
+  for (int a = 0; a < 3; ++a)
+    for (int k = 0; k < 3; ++k)
+      Kaa(3 * a + k, 3 * a + k) += kModeFloor * edges.prod() * 16 / (3 * edges[a] * edges[a]) *
+                                   (a == k ? stiffest.lambda + 2 * stiffest.mu : stiffest.mu);
+  return K - Kua * Kaa.llt().solve(Kua.transpose());
+}
+
+/// Torque that is left when R is held, Σ y_i × p_i, and the turning vector it makes of R's dependence on the corners.
+Vec3 turningOf(const Mat38& y, const Mat38& p, const Mat3& S) {
+  Vec3 torque = Vec3::Zero();
+  for (int i = 0; i < 8; ++i) torque += y.col(i).cross(p.col(i));
+  const Mat3 H = S.trace() * Mat3::Identity() - S;
+  // Safely above the floor in all directions: leading minors of H − floor · I.
+  const Mat3 above = H - kTurnFloor * Mat3::Identity();
+  const double minor = above(0, 0) * above(1, 1) - above(0, 1) * above(1, 0);
+  if (above(0, 0) > 0 && minor > 0 && above.determinant() > 0) return H.inverse() * torque;
+  const SymmetricEigen eigen = symmetricEigen(H);
+  Vec3 turning = eigen.vectors.transpose() * torque;
+  for (int i = 0; i < 3; ++i) turning[i] /= std::max(eigen.values[i], kTurnFloor);
+  return eigen.vectors * turning;
+}
+
+/// Corners in E less the first.
+Mat38 turnedBack(const Mat38& x_W, const Mat3& R_WE) { return R_WE.transpose() * (x_W.colwise() - x_W.col(0)); }
+
+Mat38 pullOf(const CorotCell& cell, const Mat38& y) {
+  const Mat38 u = y - cell.x0_E;
+  const Eigen::Matrix<double, 24, 1> p = cell.K_E * u.reshaped();
+  return p.reshaped(3, 8);
+}
+
+}  // namespace
+
+Mat38 cornersOf(const CellBox& box) {
+  Mat38 x;
+  for (int i = 0; i < 8; ++i) x.col(i) = box.origin + box.axes * Vec3(i & 1, i >> 1 & 1, i >> 2).cwiseProduct(box.edges);
+  return x;
+}
+
+Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue) {
+  CorotCell cell;
+  cell.lame = {0, 0};
+  Mat38 gradients = Mat38::Zero();
+  for (const CellTissue& t : tissue) {
+    cell.volume += t.moments.volume();
+    cell.lame.lambda += t.moments.volume() * t.lame.lambda;
+    cell.lame.mu += t.moments.volume() * t.lame.mu;
+    for (const BoxPoint& point : boxPoints(t.moments)) gradients += point.weight * gradientsAt(point.xi, box.edges);
+  }
+  if (!(box.edges.minCoeff() > 0) || !(cell.volume > 0))
+    return Error{Fault::BadElement, {}, {std::to_string(cell.volume)}, "a cell without edges or tissue"};
+  cell.lame = {cell.lame.lambda / cell.volume, cell.lame.mu / cell.volume};
+  cell.gradients_E = box.axes * gradients / cell.volume;
+  const Mat38 corners = cornersOf(box);
+  cell.x0_E = corners.colwise() - corners.col(0);
+  const Mat24 K = condensedStiffness(box.edges, tissue);
+  Mat24 turn = Mat24::Zero();
+  for (int i = 0; i < 8; ++i) turn.block<3, 3>(3 * i, 3 * i) = box.axes;
+  const Mat24 turned = turn * K * turn.transpose();
+  cell.K_E = 0.5 * (turned + turned.transpose());
+  return cell;
+}
+
+Mat8 cellMassShape(const BoxMoments& moments) {
+  Mat8 M = Mat8::Zero();
+  for (const BoxPoint& point : boxPoints(moments)) {
+    Eigen::Matrix<double, 8, 1> N;
+    for (int i = 0; i < 8; ++i)
+      N[i] = 0.125 * (1 + sign(i, 0) * point.xi[0]) * (1 + sign(i, 1) * point.xi[1]) * (1 + sign(i, 2) * point.xi[2]);
+    M += point.weight * N * N.transpose();
+  }
+  return M;
+}
+
+Mat3 deformationGradient(const CorotCell& cell, const Mat38& x_W) {
+  return (x_W.colwise() - x_W.col(0)) * cell.gradients_E.transpose();
+}
+
+Mat38 elasticForce(const CorotCell& cell, const Mat38& x_W, const Mat3& F, const Mat3& R_WE) {
+  const Mat38 y = turnedBack(x_W, R_WE), p = pullOf(cell, y);
+  const Mat3 M = R_WE.transpose() * F;
+  const Vec3 turning = turningOf(y, p, 0.5 * (M + M.transpose()));
+  return -R_WE * (p - skew(turning) * cell.gradients_E);
+}
+
+double elasticEnergy(const CorotCell& cell, const Mat38& x_W, const Mat3& R_WE) {
+  const Mat38 y = turnedBack(x_W, R_WE);
+  return 0.5 * (y - cell.x0_E).cwiseProduct(pullOf(cell, y)).sum();
+}
+
+double tensionStiffness(const CorotCell& cell, const Mat3& F, const Mat3& R_WE) {
+  CorotTet mean;
+  mean.volume = cell.volume;
+  mean.lame = cell.lame;
+  return tensionStiffness(mean, F, R_WE);
+}
+
+}  // namespace glenoid

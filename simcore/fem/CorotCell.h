@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <span>
+
+#include "simcore/base/Error.h"
+#include "simcore/embed/BoxMoments.h"
+#include "simcore/fem/CorotTet.h"
+
+namespace glenoid {
+
+using Mat38 = Eigen::Matrix<double, 3, 8>;
+using Mat8 = Eigen::Matrix<double, 8, 8>;
+using Mat24 = Eigen::Matrix<double, 24, 24>;
+
+Mat38 cornersOf(const CellBox& box);  ///< as columns, m
+
+/// One material in a box: where it is and what it is.
+struct CellTissue {
+  BoxMoments moments;
+  Lame lame;
+};
+
+/// Hexahedral element that turns with its cell: trilinear shape functions integrated over the tissue in the cell, with
+/// nine incompatible modes (1 − ξ_a²) e_k condensed inside it, so that a band thinner than the cell, or a bar one cell
+/// thick, bends as it should. The modes' strains have their mean over the tissue removed: a constant stress does no work
+/// in them, and the patch test holds. Right for small strains and any rotation; a cell that is flat or inside out is
+/// pushed back. Not for cells that are no boxes at rest.
+/// Energy ½ uᵀ K u with u = Rᵀ x − x0, R the rotation nearest to F = Σ x_i g_iᵀ, g_i the shape functions' gradients in the
+/// mean over the tissue. Frames: W world, E element at rest (its axes are those of the world). SI units.
+/// Sources: Wilson, Taylor, Doherty, Ghaboussi 1973 (modes); Taylor, Beresford, Wilson, Int. J. Numer. Methods Eng. 10,
+/// 1976 (patch test); Felippa and Haugen, Comput. Methods Appl. Mech. Eng. 194, 2005 (consistent corotational force).
+struct CorotCell {
+  Mat24 K_E;          ///< condensed rest stiffness, N/m, symmetric, semi-definite; rigid motions give no force
+  Mat38 x0_E;         ///< rest corners less the first, m
+  Mat38 gradients_E;  ///< g_i as columns, 1/m; they sum to zero
+  double volume = 0;  ///< of the tissue, m³, > 0
+  Lame lame;          ///< mean over the tissue
+};
+
+/// Fails with BadElement when an edge or the tissue's volume is not positive.
+Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue);
+
+/// ∫ N Nᵀ over the tissue, m³: times density the consistent mass of the corners.
+Mat8 cellMassShape(const BoxMoments& moments);
+
+/// F = Σ x_i g_iᵀ for corners x_W as columns.
+Mat3 deformationGradient(const CorotCell& cell, const Mat38& x_W);
+
+/// Forces on the corners as columns, N, W: minus the exact gradient of the energy, the turning of R included, so that
+/// momentum and angular momentum are kept. Where the cell is nearly flat or inside out, so that R is nearly not unique,
+/// what the turning adds is limited.
+Mat38 elasticForce(const CorotCell& cell, const Mat38& x_W, const Mat3& F, const Mat3& R_WE);
+
+/// Elastic energy, J.
+double elasticEnergy(const CorotCell& cell, const Mat38& x_W, const Mat3& R_WE);
+
+/// As for tetrahedra (README), with the mean stress over the tissue, J.
+double tensionStiffness(const CorotCell& cell, const Mat3& F, const Mat3& R_WE);
+
+}  // namespace glenoid
