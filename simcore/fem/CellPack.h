@@ -43,7 +43,7 @@ struct alignas(32) CellResult {
   bool settled[4];          ///< where not, the caller must take the cell singly
 };
 
-/// As PackKernel. A lane is not settled either where its rotation is nearly not unique (see elasticForce of a cell).
+/// As PackKernel.
 using CellKernel = void (*)(const CellPack& pack, const double* nodes, const double* const quaternions[4], double dt,
                             double damping, const CellTarget& target, CellResult& result);
 

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/base/Turns.h"
-
 namespace glenoid {
 
 namespace {
@@ -20,8 +18,9 @@ using Mat9 = Eigen::Matrix<double, 9, 9>;
 /// Modes whose own stiffness is below this share of a full cell's are held instead: along a direction in which the tissue
 /// has no extent there is nothing for them to bend.
 constexpr double kModeFloor = 1e-6;
-/// Least sum of two principal stretches for which the turning of R is taken as it is; at rest each is 2.
-constexpr double kTurnFloor = 0.2;
+/// Where the turning of R counts whole, and where not at all: m = 9 det H / tr² H is 2 at rest and falls with the smallest
+/// sum of two principal stretches, below which R is hardly unique.
+constexpr double kTurnWhole = 1.2, kTurnNone = 0.2;
 
 /// Strains in the order xx, yy, zz, xy, yz, zx, shears doubled.
 Mat6 elasticityOf(const Lame& lame) {
@@ -100,14 +99,9 @@ Vec3 turningOf(const Mat38& y, const Mat38& p, const Mat3& S) {
   Vec3 torque = Vec3::Zero();
   for (int i = 0; i < 8; ++i) torque += y.col(i).cross(p.col(i));
   const Mat3 H = S.trace() * Mat3::Identity() - S;
-  // Safely above the floor in all directions: leading minors of H − floor · I.
-  const Mat3 above = H - kTurnFloor * Mat3::Identity();
-  const double minor = above(0, 0) * above(1, 1) - above(0, 1) * above(1, 0);
-  if (above(0, 0) > 0 && minor > 0 && above.determinant() > 0) return H.inverse() * torque;
-  const SymmetricEigen eigen = symmetricEigen(H);
-  Vec3 turning = eigen.vectors.transpose() * torque;
-  for (int i = 0; i < 3; ++i) turning[i] /= std::max(eigen.values[i], kTurnFloor);
-  return eigen.vectors * turning;
+  const double m = 9 * H.determinant() / (H.trace() * H.trace());
+  if (!(m > kTurnNone)) return Vec3::Zero();
+  return std::min(1.0, (m - kTurnNone) / (kTurnWhole - kTurnNone)) * (H.inverse() * torque);
 }
 
 /// Corners in E less the first.

@@ -47,8 +47,8 @@ Mat8 cellMassShape(const BoxMoments& moments);
 Mat3 deformationGradient(const CorotCell& cell, const Mat38& x_W);
 
 /// Forces on the corners as columns, N, W: minus the exact gradient of the energy, the turning of R included, so that
-/// momentum and angular momentum are kept. Where the cell is nearly flat or inside out, so that R is nearly not unique,
-/// what the turning adds is limited.
+/// momentum and angular momentum are kept. Where the cell is nearly flat or inside out, so that R is hardly unique,
+/// what the turning adds fades out: it could hold the cell there.
 Mat38 elasticForce(const CorotCell& cell, const Mat38& x_W, const Mat3& F, const Mat3& R_WE);
 
 /// Elastic energy, J.
