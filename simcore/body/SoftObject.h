@@ -6,8 +6,8 @@
 #include "simcore/base/Error.h"
 #include "simcore/body/ContactObject.h"
 #include "simcore/body/MassMatrix.h"
+#include "simcore/embed/WholeCells.h"
 #include "simcore/fem/CorotTet.h"
-#include "simcore/fem/ElementPack.h"
 #include "simcore/mesh/TetMesh.h"
 
 namespace glenoid {
@@ -30,20 +30,20 @@ struct ElementReading {
   Mat3 strain_W, stress_W;
 };
 
-/// Deformable body: linear corotational tetrahedra, consistent mass; q = nodes, v = node velocities.
-/// An element's stiffness is weighted by its fill, since a 1 mm ligament in 8 mm cells would otherwise be several
-/// times too stiff; its mass is where its tissue is, so a part has the mass, mass centre and inertia of what its surface
-/// encloses.
+/// Deformable body: q = nodes, v = node velocities, consistent mass. Its mass is where its tissue is, so a part has the
+/// mass, mass centre and inertia of what its surface encloses. How it is elastic is in the two kinds below.
 class SoftObject : public ContactObject {
  public:
-  /// Fails with BadElement naming the element. `rotationOffset`: of the first element in State::rotations.
+  /// Linear corotational tetrahedra (TetObject). Fails with BadElement naming the element. `rotationOffset`: of the first
+  /// element in State::rotations.
   static Result<std::unique_ptr<SoftObject>> make(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh,
                                                   const std::vector<ElementTissue>& tissue, int rotationOffset);
+  /// Corotational cells of eight nodes (CellObject) on a mesh of whole cells, `mesh` being that of `cells`; `tissue` of each
+  /// tetrahedron, of which fill and moments are those of `cells`. Fails with BadElement.
+  static Result<std::unique_ptr<SoftObject>> makeOfCells(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh,
+                                                         const CellMesh& cells, const std::vector<ElementTissue>& tissue,
+                                                         int rotationOffset);
 
-  void appendBlockPairs(int base, std::vector<std::array<int, 2>>& pairs) const override;
-  std::vector<BlockEntry> blockEntries(const BlockSymbolic& symbolic, int base) const override;
-  void assemble(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries, VecX& rotations,
-                BlockMatrix& A, Eigen::Ref<VecX> b) const override;
   void advance(double dt, State& state) const override;
   Vec3 position(const MaterialPoint& point, const VecX& q) const override;
   Vec3 velocity(const MaterialPoint& point, const VecX& q, const VecX& v) const override;
@@ -51,29 +51,30 @@ class SoftObject : public ContactObject {
   void addSharedMass(Eigen::Ref<VecX> perNode) const override;
   double mass() const override;
   double kineticEnergy(const State& state) const override;
-  /// With rotations found from the guesses in State::rotations.
-  double elasticEnergy(const State& state) const override;
   Vec6 momentum(const State& state) const override;
   Vec6 momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const override;
   void addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const override;
-  /// With the rotation found from the guess in State::rotations.
-  ElementReading readElement(int element, const State& state) const;
 
-  int elementCount() const { return static_cast<int>(m_elements.size()); }
+  /// Of a tetrahedron of the mesh, with the rotation found from the guess in State::rotations.
+  virtual ElementReading readElement(int tet, const State& state) const = 0;
+  /// Elements that have a rotation in the state, in their order.
+  virtual int rotationCount() const = 0;
+  int elementCount() const { return static_cast<int>(m_mesh->tets.size()); }
+
+ protected:
+  SoftObject(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh, int rotationOffset);
+  const TetMesh& mesh() const { return *m_mesh; }
+  int rotationOffset() const { return m_rotationOffset; }
+  Vec3 nodeAt(const VecX& q, int node) const { return q.segment<3>(layout().qOffset + 3 * node); }
+  void setMass(std::vector<MassPair> loose);
+  const MassMatrix& massMatrix() const { return m_mass; }
+  /// M and what the velocities and weight make of it, into A and b; `entries` of the mass matrix's pairs.
+  void assembleMass(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries, BlockMatrix& A,
+                    Eigen::Ref<VecX> b) const;
+  void appendMassEntries(const BlockSymbolic& symbolic, int base, std::vector<BlockEntry>& entries) const;
 
  private:
-  SoftObject(const ObjectLayout& layout, std::shared_ptr<const TetMesh> mesh, int rotationOffset);
-  Mat34 nodesOf(int element, const VecX& q) const;
-  Mat3 rotationOf(int element, const Mat3& F, const State& state) const;
-  void buildPacks();
-  /// One element by CorotTet: where a lane did not settle, and for the reference.
-  void assembleElement(int element, const StepSettings& settings, const VecX& q, const BlockEntry* entries,
-                       Eigen::Map<Quat> rotation, BlockMatrix& A, Eigen::Ref<VecX> b) const;
-
   std::shared_ptr<const TetMesh> m_mesh;
-  std::vector<CorotTet> m_elements;
-  std::vector<ElementPack> m_packs;        ///< the same elements, four at a time
-  std::vector<double> m_stiffnessDamping;  ///< of each element, s
   MassMatrix m_mass;
   int m_rotationOffset;
 };

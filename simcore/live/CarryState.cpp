@@ -21,7 +21,7 @@ bool sameContent(const std::shared_ptr<const T>& a, const std::shared_ptr<const 
 std::vector<int> rotationOffsets(const Model& model) {
   std::vector<int> offsets{0};
   for (const SceneObject& object : model.objects)
-    offsets.push_back(offsets.back() + (object.volume ? 4 * static_cast<int>(object.volume->tets.size()) : 0));
+    offsets.push_back(offsets.back() + 4 * object.elements);
   return offsets;
 }
 
@@ -34,7 +34,7 @@ std::vector<int> sourcesOf(const Model& from, const Model& to) {
     });
     const bool carries = found != from.objects.end() && found->layout.rigid == target.layout.rigid &&
                          found->layout.qSize == target.layout.qSize &&
-                         (target.layout.rigid || sameContent(found->volume, target.volume));
+                         (target.layout.rigid || (found->cells == target.cells && sameContent(found->volume, target.volume)));
     sources.push_back(carries ? static_cast<int>(found - from.objects.begin()) : -1);
   }
   return sources;

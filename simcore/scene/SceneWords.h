@@ -17,6 +17,7 @@ struct Word {
 
 inline constexpr std::array<Word<Profile>, 3> kProfiles{
     {{Profile::Paper, "paper"}, {Profile::Direct, "direct"}, {Profile::Reference, "reference"}}};
+inline constexpr std::array<Word<Elements>, 2> kElements{{{Elements::Tetrahedra, "tetrahedra"}, {Elements::Cells, "cells"}}};
 inline constexpr std::array<Word<Wish>, 3> kWishes{{{Wish::Auto, "auto"}, {Wish::On, "on"}, {Wish::Off, "off"}}};
 inline constexpr std::array<Word<Appearance>, 7> kAppearances{{{Appearance::Plain, "plain"},
                                                                 {Appearance::Bone, "bone"},

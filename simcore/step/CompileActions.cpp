@@ -18,11 +18,13 @@ Error at(Error error, const char* list, std::size_t index, const std::string& pa
 }
 
 /// The material point of a soft part that rests at `rest_W`; nothing where no tetrahedron holds it.
-std::optional<VertexBinding> softPoint(const TetMesh& volume, const Vec3& rest_W) {
-  const VertexBinding binding = bindToTets(volume, {&rest_W, 1})[0];
+std::optional<VertexBinding> softPoint(const SceneObject& object, const Vec3& rest_W) {
+  const VertexBinding binding = bindToTets(*object.volume, {&rest_W, 1})[0];
   // A point that somebody typed, on a face whose nodes came through files: a ten-thousandth of a cell is on it.
   constexpr double kOnFace = 1e-4;
-  if (*std::min_element(binding.weight.begin(), binding.weight.end()) < -kOnFace) return std::nullopt;
+  // Whole cells may have left a sliver out whose tissue goes on from its neighbour (embed/WholeCells.h).
+  constexpr double kInSliver = 1;
+  if (*std::min_element(binding.weight.begin(), binding.weight.end()) < -(object.cells ? kInSliver : kOnFace)) return std::nullopt;
   return binding;
 }
 
@@ -39,7 +41,7 @@ Result<Done> compileLoads(const Model& model, StepModel& inside, const std::vect
     if (model.objects[object].layout.rigid) {
       bound.point.r_B = load.point_W.value_or(Vec3::Zero()) - centres[object];
     } else if (load.point_W) {
-      const std::optional<VertexBinding> binding = softPoint(*model.objects[object].volume, *load.point_W);
+      const std::optional<VertexBinding> binding = softPoint(model.objects[object], *load.point_W);
       if (!binding) return at({Fault::Unusable, {}, {"the point of a load rests outside the part's tetrahedra"}, ""}, "loads", i, load.part);
       bound.point = pointAt(*binding, false);
     } else {

@@ -2,12 +2,14 @@
 #include "simcore/step/CompileObjects.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "simcore/body/PartMass.h"
 #include "simcore/body/RigidObject.h"
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
+#include "simcore/embed/WholeCells.h"
 #include "simcore/scene/Start.h"
 #include "simcore/scene/TriangleUse.h"
 #include "simcore/tool/FingerShape.h"
@@ -44,6 +46,23 @@ Result<std::vector<ElementTissue>> tissueOf(const Joint& joint, const Part& part
   return tissue;
 }
 
+/// Tetrahedra, or cells on a volume of whole cells.
+Result<std::unique_ptr<SoftObject>> makeSoft(const Joint& joint, const Part& part, const ObjectLayout& layout, const CellMesh* cells,
+                                             int rotationOffset) {
+  Result<std::vector<ElementTissue>> tissue = tissueOf(joint, part);
+  if (!tissue) return tissue.error();
+  return cells ? SoftObject::makeOfCells(layout, part.volume, *cells, *tissue, rotationOffset)
+               : SoftObject::make(layout, part.volume, *tissue, rotationOffset);
+}
+
+/// Where the nodes of whole cells start: corners that the tetrahedra lacked go on as the nearest of these does.
+std::vector<Vec3> startOfCells(const TetMesh& cut, const std::vector<Vec3>& start, const CellMesh& cells) {
+  if (start == cut.nodes) return cells.mesh.nodes;
+  std::vector<Vec3> nodes;
+  for (const VertexBinding& binding : bindToTets(cut, cells.mesh.nodes)) nodes.push_back(boundPosition(binding, start));
+  return nodes;
+}
+
 /// Takes the next stretch of the state for an object.
 void place(ObjectLayout& layout, int nodeCount, int& q, int& v) {
   layout.nodeCount = layout.rigid ? 0 : nodeCount;
@@ -58,13 +77,14 @@ void place(ObjectLayout& layout, int nodeCount, int& q, int& v) {
 }  // namespace
 
 Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& centres) {
-  const Joint& joint = model.joint;
+  Joint& joint = model.joint;
   const Scenario& scenario = model.scenario;
   int q = 0, v = 0, rotations = 0;
   std::vector<std::pair<int, Pose>> rigidStarts;
   std::vector<std::pair<int, std::vector<Vec3>>> softStarts;
 
-  for (const Part& part : joint.parts) {
+  const bool wantsCells = scenario.elements == Elements::Cells && scenario.profile != Profile::Paper;
+  for (Part& part : joint.parts) {
     SceneObject object;
     object.id = part.id;
     object.name = part.name;
@@ -88,16 +108,24 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
     } else {
       if (!part.volume || part.volume->tets.empty())
         return Error{Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a soft part without tetrahedra"};
-      object.volume = part.volume;
-      place(object.layout, static_cast<int>(part.volume->nodes.size()), q, v);
       Result<std::vector<Vec3>> nodes = startNodes(joint, part);
       if (!nodes) return nodes.error();
+      std::optional<CellMesh> cells;
+      if (wantsCells) {
+        Result<CellMesh> whole = wholeCells(*part.volume, *part.visual);
+        if (!whole) return about(whole.error(), part.id);
+        cells = std::move(*whole);
+        *nodes = startOfCells(*part.volume, *nodes, *cells);
+        part.volume = std::make_shared<TetMesh>(cells->mesh);
+      }
+      object.cells = wantsCells;
+      object.volume = part.volume;
+      place(object.layout, static_cast<int>(part.volume->nodes.size()), q, v);
       softStarts.push_back({object.layout.qOffset, std::move(*nodes)});
-      Result<std::vector<ElementTissue>> tissue = tissueOf(joint, part);
-      if (!tissue) return tissue.error();
-      Result<std::unique_ptr<SoftObject>> soft = SoftObject::make(object.layout, part.volume, *tissue, rotations);
+      Result<std::unique_ptr<SoftObject>> soft = makeSoft(joint, part, object.layout, cells ? &*cells : nullptr, rotations);
       if (!soft) return about(soft.error(), part.id);
-      rotations += 4 * (*soft)->elementCount();
+      object.elements = (*soft)->rotationCount();
+      rotations += 4 * object.elements;
       object.mass = (*soft)->mass();
       inside.objects.push_back(std::move(*soft));
     }

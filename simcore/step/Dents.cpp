@@ -47,7 +47,7 @@ std::vector<DentModel> compileDents(const Model& model) {
   bool any = false;
   for (std::size_t i = 0; i < model.joint.parts.size(); ++i) {  // parts come first, in the joint's order
     const Part& part = model.joint.parts[i];
-    if (!part.dents || part.dents->basis != dentBasis(model.joint, part)) continue;
+    if (!part.dents || model.objects[i].cells || part.dents->basis != dentBasis(model.joint, part)) continue;
     dents[i].radius = part.dents->radius;
     for (const DentSample& sample : part.dents->samples) {
       dents[i].at_W.push_back(sample.at_W);

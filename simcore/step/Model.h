@@ -26,6 +26,8 @@ struct SceneObject {
   ObjectLayout layout;
   SurfaceBinding visual, collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft only; node i of the state is node i of this mesh
+  bool cells = false;           ///< soft only: elements are whole cells, five tetrahedra of the volume each
+  int elements = 0;             ///< soft only: how many rotations the state has of it
   double mass = 0;              ///< kg
   int motion = -1;              ///< in scenario.motions: a fixed part that moves; −1: none
   std::vector<double> friction; ///< Coulomb's coefficient at each collision vertex; empty: friction is off
@@ -51,7 +53,7 @@ struct StepModel;  ///< the numerical inside, private to step/
 
 /// A scenario compiled for running: constant, shared between threads.
 struct Model {
-  Joint joint;
+  Joint joint;  ///< with whole cells for volumes where parts run as cells
   Scenario scenario;
   std::vector<SceneObject> objects;
   std::vector<SpringView> springs;

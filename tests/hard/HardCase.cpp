@@ -12,6 +12,7 @@
 #include "simcore/collide/Penetration.h"
 #include "simcore/step/StepModel.h"
 #include "tests/hard/Energy.h"
+#include "tests/scenes/BlockScenes.h"
 
 namespace glenoid::hard {
 
@@ -79,6 +80,7 @@ HardResult run(const HardCase& hard, double dt, double seconds) {
   HardResult result;
   Scenario scenario = hard.scenario;
   scenario.dt = dt;
+  scenario.elements = scenes::wishedElements();
   auto compiled = compileModel(hard.joint, scenario);
   if (!compiled) {
     ADD_FAILURE() << hard.name << " does not compile: " << compiled.error().detail;

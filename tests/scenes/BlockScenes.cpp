@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/scenes/BlockScenes.h"
 
+#include <cstdlib>
 #include <map>
 
 namespace glenoid::scenes {
@@ -86,6 +87,11 @@ Region regionIn(const Part& part, const std::string& id, const Box3& box) {
   return {id, id, "footprint", SurfaceKind::Visual, runsOf(triangles)};
 }
 
+Elements wishedElements() {
+  const char* wish = std::getenv("GLENOID_ELEMENTS");
+  return wish && std::string(wish) == "cells" ? Elements::Cells : Elements::Tetrahedra;
+}
+
 void addMaterials(Joint& joint) {
   Material bone;
   bone.id = bone.name = "bone";
@@ -117,6 +123,7 @@ Joint figure4Joint() {
 Scenario figure4Scenario() {
   Scenario scenario;
   scenario.id = scenario.name = "figure4";
+  scenario.elements = wishedElements();
   scenario.fixedParts = {"left"};
   return scenario;
 }
@@ -124,6 +131,7 @@ Scenario figure4Scenario() {
 Scenario figure5Scenario() {
   Scenario scenario;
   scenario.id = scenario.name = "figure5";
+  scenario.elements = wishedElements();
   scenario.gravity_W.setZero();
   for (const double x : {-0.008, 0.008}) {
     Tool tool;
@@ -150,6 +158,7 @@ Joint blockOnPlateJoint() {
 Scenario blockOnPlateScenario() {
   Scenario scenario;
   scenario.id = scenario.name = "block";
+  scenario.elements = wishedElements();
   scenario.fixedParts = {"plate"};
   Tool tool;
   tool.id = tool.name = "finger";

@@ -13,6 +13,7 @@ namespace {
 LadderScene named(const char* id) {
   LadderScene scene;
   scene.joint.id = scene.joint.name = scene.scenario.id = scene.scenario.name = id;
+  scene.scenario.elements = wishedElements();
   addMaterials(scene.joint);
   return scene;
 }
@@ -107,6 +108,7 @@ LadderScene chainAndLooseBlock() {
   scene.joint.parts.push_back(
       boxPart("loose", 4, PartKind::Soft, Vec3(-0.01, 0.022, 0.002), Vec3(0.01, 0.04, 0.018)));
   scene.scenario.id = scene.scenario.name = "chain";
+  scene.scenario.elements = wishedElements();
   scene.scenario.gravity_W.setZero();
   return scene;
 }

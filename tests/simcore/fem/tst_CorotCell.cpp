@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <cstdio>
 #include <random>
 
 #include "simcore/fem/Rotation.h"
@@ -189,6 +191,54 @@ TEST(CorotCell, aBarOneCellThickBendsLikeABeamAndConverges) {
     const double fine = beam.ratio();
     EXPECT_NEAR(coarse, 1, 0.05) << nu;
     EXPECT_NEAR(fine, 1, 0.01) << nu;
+  }
+}
+
+/// The worst error of inner nodes of a unit cube of n³ cells, its boundary held at u = ∇φ with φ = e^{2x} sin √2 y sin √2 z:
+/// harmonic, so that u is a field of equilibrium without load for any ν.
+double innerError(int n, double nu) {
+  const double a = std::sqrt(2.0);
+  const auto exact = [&](const Vec3& x) {
+    const double e = std::exp(2 * x.x());
+    return Vec3(2 * e * std::sin(a * x.y()) * std::sin(a * x.z()), a * e * std::cos(a * x.y()) * std::sin(a * x.z()),
+                a * e * std::sin(a * x.y()) * std::cos(a * x.z()));
+  };
+  CellBox box;
+  box.edges.setConstant(1.0 / n);
+  const CellTissue full{fullBox(box.edges.prod()), lameFrom(1, nu)};
+  const Mat24 K = makeCorotCell(box, {&full, 1}).value().K_E;
+  const auto inner = [&](int i, int j, int k) {
+    if (i == 0 || j == 0 || k == 0 || i == n || j == n || k == n) return -1;
+    return (i - 1) + (n - 1) * ((j - 1) + (n - 1) * (k - 1));
+  };
+  const int unknowns = 3 * (n - 1) * (n - 1) * (n - 1);
+  MatX A = MatX::Zero(unknowns, unknowns);
+  VecX b = VecX::Zero(unknowns), wanted = b;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        for (int p = 0; p < 8; ++p) {
+          const int row = inner(i + (p & 1), j + (p >> 1 & 1), k + (p >> 2));
+          if (row < 0) continue;
+          for (int q = 0; q < 8; ++q) {
+            const Vec3 x = Vec3(i + (q & 1), j + (q >> 1 & 1), k + (q >> 2)) / n;
+            const int col = inner(i + (q & 1), j + (q >> 1 & 1), k + (q >> 2));
+            const Mat3 block = K.block<3, 3>(3 * p, 3 * q);
+            if (col < 0)
+              b.segment<3>(3 * row) -= block * exact(x);
+            else
+              A.block<3, 3>(3 * row, 3 * col) += block, wanted.segment<3>(3 * col) = exact(x);
+          }
+        }
+  return (A.llt().solve(b) - wanted).lpNorm<Eigen::Infinity>();
+}
+
+TEST(CorotCell, smoothFieldsConvergeWithSecondOrder) {
+  for (const double nu : {0.0, 0.3, 0.45}) {
+    const double coarse = innerError(3, nu), fine = innerError(6, nu);
+    std::printf("nu %.2f: worst error of inner nodes %.2e and %.2e with 3 and 6 cells across, order %.2f\n", nu, coarse, fine,
+                std::log2(coarse / fine));
+    EXPECT_GT(std::log2(coarse / fine), 1.8) << nu;
   }
 }
 

@@ -26,6 +26,7 @@ Scenario sample() {
   scenario.recoverySpeedMax = 0.2;
   scenario.holds = {{"humerus", 0, 40, 0.02, {true, false, true}, {false, true, true}}};
   scenario.loadRise = 0.25;
+  scenario.elements = Elements::Cells;
   scenario.loads = {{"humerus", Vec3(1, -20, 3), Vec3(0.1, 0, -0.2)}, {"humerus", Vec3(0, 1, 0), Vec3::Zero(), Vec3(0.1, 0, 1.0 / 3.0)}};
   scenario.pressures = {{"cuff", "insertion", 1234.5}};
   scenario.supports = {{"cuff", "insertion", {false, true, false}, 3e7, 0.03}};
@@ -75,6 +76,7 @@ void expectSame(const Scenario& a, const Scenario& b) {
   EXPECT_EQ(a.holds, b.holds);
   EXPECT_EQ(a.loads, b.loads);
   EXPECT_EQ(a.loadRise, b.loadRise);
+  EXPECT_EQ(a.elements, b.elements);
   EXPECT_EQ(a.pressures, b.pressures);
   EXPECT_EQ(a.supports, b.supports);
   EXPECT_EQ(a.motions, b.motions);

@@ -73,6 +73,15 @@ TEST(Allocation, aWarmStepOfTheShippedSceneAllocatesNothing) {
   expectNoAllocation(scene, model, stateAt(scene, model, kTime), kTime, 100);
 }
 
+TEST(Allocation, aWarmStepOfCellsAllocatesNothing) {
+  StudyScene scene = shippedScene();
+  scene.scenario.elements = Elements::Cells;
+  scene.scenario.loads.clear();  // what pulls the muscles of this scene was chosen for tetrahedra
+  const auto model = compileModel(scene.joint, scene.scenario).value();
+  constexpr double kTime = 6.4;
+  expectNoAllocation(scene, model, stateAt(scene, model, kTime), kTime, 100);
+}
+
 TEST(Allocation, aWarmStepOfSomeThousandVelocitiesAllocatesNothing) {
   const StudyScene scene = shippedScene();
   const auto coarse = compileModel(scene.joint, scene.scenario).value();
