@@ -93,6 +93,7 @@ bool setPartKind(Document& document, const std::string& part, PartKind kind, std
                       p.kind = kind;
                       p.volume = kind == PartKind::Soft ? volume : nullptr;
                       p.cellSize = kind == PartKind::Soft ? cellSize : 0;
+                      if (kind == PartKind::Rigid) p.elements = Elements::Tetrahedra;
                       if (kind == PartKind::Rigid) dropCage(joint, part);
                     });
 }
@@ -169,6 +170,13 @@ bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<
                       p.volume = volume;
                       p.cellSize = cellSize;
                     });
+}
+
+bool setPartElements(Document& document, const std::string& part, Elements elements) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0 || document.joint().parts[index].kind != PartKind::Soft) return false;
+  return changePart(document, part, PartEdits::tr("Change the elements of “%1”").arg(partName(document.joint(), part)),
+                    [&](Joint&, Part& p) { p.elements = elements; });
 }
 
 bool addMaterial(Document& document, const Material& material) {

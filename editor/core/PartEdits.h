@@ -33,6 +33,9 @@ bool removePart(Document& document, const std::string& part);
 bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh);
 bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize);
 
+/// What a soft part is made of in a run.
+bool setPartElements(Document& document, const std::string& part, Elements elements);
+
 bool addMaterial(Document& document, const Material& material);
 /// All of its values; the id stays.
 bool setMaterial(Document& document, const Material& material, const QString& gesture = {});

@@ -30,7 +30,7 @@ bool sameMeshes(const Part& a, const Part& b) {
 
 bool samePart(const Part& a, const Part& b) {
   return sameMeshes(a, b) && a.id == b.id && a.number == b.number && a.name == b.name && a.kind == b.kind &&
-         a.color == b.color && a.cellSize == b.cellSize && a.materials == b.materials && a.regions == b.regions &&
+         a.color == b.color && a.cellSize == b.cellSize && a.elements == b.elements && a.materials == b.materials && a.regions == b.regions &&
          a.landmarks == b.landmarks && (a.dents == b.dents || (a.dents && b.dents && *a.dents == *b.dents));
 }
 

@@ -170,6 +170,7 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   if (part.visual) form->addRow(tr("Visual triangles:"), label(number(part.visual->triangles.size())));
   if (part.collision) form->addRow(tr("Collision triangles:"), label(number(part.collision->triangles.size())));
   if (part.volume) {
+    form->addRow(tr("Elements:"), elementsBox(part));
     form->addRow(tr("Tetrahedra:"), label(number(part.volume->tets.size())));
     form->addRow(tr("Nodes:"), label(number(part.volume->nodes.size())));
     form->addRow(tr("Cell size:"), label(tr("%1 mm").arg(number(1e3 * part.cellSize, 1))));
@@ -242,6 +243,21 @@ QComboBox* PropertiesPanel::movementBox(const Part& part) {
   box->setCurrentIndex(box->findData(static_cast<int>(movementOf(m_document.scenario(), part.id))));
   connect(box, &QComboBox::activated, this, [this, box, id = part.id] {
     setMovement(m_document, id, static_cast<Movement>(box->currentData().toInt()));
+  });
+  return box;
+}
+
+QComboBox* PropertiesPanel::elementsBox(const Part& part) {
+  auto* box = new QComboBox;
+  box->setObjectName(QStringLiteral("elements"));
+  box->setAccessibleName(tr("Elements of the part"));
+  box->setToolTip(tr("Five tetrahedra in each cell, or whole cells, which bend where the tissue is thinner than a cell"));
+  box->setFocusPolicy(Qt::StrongFocus);
+  box->addItem(tr("tetrahedra"), static_cast<int>(Elements::Tetrahedra));
+  box->addItem(tr("cells"), static_cast<int>(Elements::Cells));
+  box->setCurrentIndex(box->findData(static_cast<int>(part.elements)));
+  connect(box, &QComboBox::activated, this, [this, box, id = part.id] {
+    setPartElements(m_document, id, static_cast<Elements>(box->currentData().toInt()));
   });
   return box;
 }

@@ -35,6 +35,7 @@ class PropertiesPanel : public QScrollArea {
   QSpinBox* numberField(const Part& part);
   QPushButton* colorButton(const Part& part);
   QComboBox* movementBox(const Part& part);
+  QComboBox* elementsBox(const Part& part);
   void showMaterials(QVBoxLayout& layout, const Part& part);
   void showCouplings(QVBoxLayout& layout, const Part& part);
 

@@ -45,6 +45,7 @@ Result<Part> surfacesOf(const PartRecipe& recipe) {
 
 Result<Done> cutVolume(const PartRecipe& recipe, Part& part) {
   if (recipe.kind == PartKind::Rigid) return Done{};
+  part.elements = recipe.elements;
   if (recipe.cellSize > 0) {
     CellGrid grid;
     if (recipe.axes == GridAxes::Principal) grid.frame.q_WB = principalAxes(*part.visual);

@@ -49,6 +49,15 @@ CellContent contentOf(const BoxMoments* moments, const ElementTissue* tissue, do
   return content;
 }
 
+/// Eight places about the tissue's centroid with its variances: they stand for its mean and spread along the box's axes.
+std::array<Vec3, 8> placesIn(const BoxMoments& moments) {
+  const Vec3 mean = meanOf(moments), spread = varianceOf(moments).cwiseMax(0).cwiseSqrt();
+  std::array<Vec3, 8> places;
+  for (int k = 0; k < 8; ++k)
+    for (int a = 0; a < 3; ++a) places[k][a] = mean[a] + (k >> a & 1 ? spread[a] : -spread[a]);
+  return places;
+}
+
 /// Mass and drag of each two corners of a cell.
 void appendMasses(const BoxMoments* moments, const ElementTissue* tissue, double whole, const std::array<int, 8>& corners,
                   std::vector<MassPair>& masses) {
@@ -74,21 +83,31 @@ Result<std::unique_ptr<SoftObject>> CellObject::make(const ObjectLayout& layout,
                                                      const std::vector<ElementTissue>& tissue, int rotationOffset) {
   std::unique_ptr<CellObject> soft(new CellObject(layout, std::move(mesh), rotationOffset));
   std::vector<MassPair> masses;
+  std::vector<TissueSample> samples;
   for (std::size_t c = 0; c < cells.boxes.size(); ++c) {
     const double whole = cells.boxes[c].edges.prod();
     const CellContent content = contentOf(&cells.tissue[5 * c], &tissue[5 * c], whole);
-    Result<CorotCell> cell = makeCorotCell(cells.boxes[c], content.tissue);
+    CellModes modes;
+    Result<CorotCell> cell = makeCorotCell(cells.boxes[c], content.tissue, &modes);
     if (!cell) {
       cell.error().place.element = static_cast<long>(5 * c);
       return cell.error();
     }
     appendMasses(&cells.tissue[5 * c], &tissue[5 * c], whole, cells.corners[c], masses);
+    for (const CellTissue& each : content.tissue)
+      for (const Vec3& xi : placesIn(each.moments)) {
+        soft->m_places.push_back({static_cast<int>(c), xi});
+        const CellBox& box = cells.boxes[c];
+        samples.push_back({box.origin + box.axes * (0.5 * (xi.array() + 1) * box.edges.array()).matrix(), each.moments.volume() / 8, each.lame});
+      }
+    soft->m_modes.push_back(modes);
     soft->m_cells.push_back(*cell);
     soft->m_stiffnessDamping.push_back(content.stiffnessDamping);
     for (int five = 0; five < 5; ++five) soft->m_lameOfTet.push_back(tissue[5 * c + five].lame);
   }
   soft->m_corners = cells.corners;
   soft->setMass(std::move(masses));
+  soft->setSamples(std::move(samples));
   soft->buildPacks();
   return std::unique_ptr<SoftObject>(std::move(soft));
 }
@@ -226,6 +245,21 @@ ElementReading CellObject::readElement(int tet, const State& state) const {
   const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
   const Lame& lame = m_lameOfTet[tet];
   return {strain, 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity()};
+}
+
+void CellObject::readSamples(const State& state, std::vector<ElementReading>& readings) const {
+  readings.clear();
+  for (std::size_t first = 0, k = 0; k < m_places.size(); first = k) {
+    const int c = m_places[first].cell;
+    const Mat38 x = cornersAt(c, state.q);
+    const Mat3 R = rotationOf(c, deformationGradient(m_cells[c], x), state);
+    const Mat38 u = R.transpose() * (x.colwise() - x.col(0)) - m_cells[c].x0_E;
+    for (; k < m_places.size() && m_places[k].cell == c; ++k) {
+      const Mat3 strain = R * strainAt(m_modes[c], m_places[k].xi, u) * R.transpose();
+      const Lame& lame = samples()[k].lame;
+      readings.push_back({strain, 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity()});
+    }
+  }
 }
 
 }  // namespace glenoid

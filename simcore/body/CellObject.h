@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "simcore/body/SoftObject.h"
+#include "simcore/fem/CellModes.h"
 #include "simcore/fem/CellPack.h"
 #include "simcore/fem/CorotCell.h"
 
@@ -24,6 +25,7 @@ class CellObject : public SoftObject {
   double elasticEnergy(const State& state) const override;
   /// The mean strain of the cell's tissue, and the stress it makes in the tetrahedron's material.
   ElementReading readElement(int tet, const State& state) const override;
+  void readSamples(const State& state, std::vector<ElementReading>& readings) const override;
   int rotationCount() const override { return static_cast<int>(m_cells.size()); }
 
  private:
@@ -40,6 +42,12 @@ class CellObject : public SoftObject {
   std::vector<CellPack> m_packs;           ///< the same cells, four at a time
   std::vector<double> m_stiffnessDamping;  ///< of each cell, s: mean over its tissue
   std::vector<Lame> m_lameOfTet;
+  struct Place {
+    int cell;
+    Vec3 xi;
+  };
+  std::vector<CellModes> m_modes;
+  std::vector<Place> m_places;             ///< of the samples
 };
 
 }  // namespace glenoid

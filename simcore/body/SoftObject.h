@@ -2,6 +2,8 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "simcore/base/Error.h"
 #include "simcore/body/ContactObject.h"
@@ -28,6 +30,13 @@ struct ElementTissue {
 /// tissue carries half of it.
 struct ElementReading {
   Mat3 strain_W, stress_W;
+};
+
+/// A place inside an element's tissue, at rest, at which it says its strain and stress.
+struct TissueSample {
+  Vec3 at_E = Vec3::Zero();  ///< m
+  double volume = 0;         ///< of the tissue that it stands for, m³, > 0
+  Lame lame;                 ///< of that tissue
 };
 
 /// Deformable body: q = nodes, v = node velocities, consistent mass. Its mass is where its tissue is, so a part has the
@@ -57,6 +66,11 @@ class SoftObject : public ContactObject {
 
   /// Of a tetrahedron of the mesh, with the rotation found from the guess in State::rotations.
   virtual ElementReading readElement(int tet, const State& state) const = 0;
+  /// Places of the tissue, the same for the object's whole life: the tissue's centroid in each tetrahedron, and eight
+  /// places in each cell (per material), as far from its centroid as the tissue spreads along the cell's axes.
+  std::span<const TissueSample> samples() const { return m_samples; }
+  /// What is said there, in the order of samples(); with the modes inside a cell.
+  virtual void readSamples(const State& state, std::vector<ElementReading>& readings) const = 0;
   /// Elements that have a rotation in the state, in their order.
   virtual int rotationCount() const = 0;
   int elementCount() const { return static_cast<int>(m_mesh->tets.size()); }
@@ -67,6 +81,7 @@ class SoftObject : public ContactObject {
   int rotationOffset() const { return m_rotationOffset; }
   Vec3 nodeAt(const VecX& q, int node) const { return q.segment<3>(layout().qOffset + 3 * node); }
   void setMass(std::vector<MassPair> loose);
+  void setSamples(std::vector<TissueSample> samples) { m_samples = std::move(samples); }
   const MassMatrix& massMatrix() const { return m_mass; }
   /// M and what the velocities and weight make of it, into A and b; `entries` of the mass matrix's pairs.
   void assembleMass(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries, BlockMatrix& A,
@@ -76,6 +91,7 @@ class SoftObject : public ContactObject {
  private:
   std::shared_ptr<const TetMesh> m_mesh;
   MassMatrix m_mass;
+  std::vector<TissueSample> m_samples;
   int m_rotationOffset;
 };
 

@@ -28,6 +28,7 @@ Result<std::unique_ptr<SoftObject>> TetObject::make(const ObjectLayout& layout, 
   std::unique_ptr<TetObject> soft(new TetObject(layout, std::move(mesh), rotationOffset));
   const TetMesh& tets = soft->mesh();
   std::vector<MassPair> masses;
+  std::vector<TissueSample> samples;
   for (std::size_t e = 0; e < tets.tets.size(); ++e) {
     Mat34 x0;
     for (int i = 0; i < 4; ++i) x0.col(i) = tets.nodes[tets.tets[e][i]];
@@ -42,10 +43,15 @@ Result<std::unique_ptr<SoftObject>> TetObject::make(const ObjectLayout& layout, 
       const auto [low, high] = std::minmax(tets.tets[e][i], tets.tets[e][j]);
       masses.push_back({high, low, mass, mass * tissue[e].massDamping});
     }
+    if (const double volume = shape.sum(); shape.rowwise().sum().minCoeff() > -kMassFloor * volume && volume > 0) {
+      samples.push_back({x0 * shape.rowwise().sum() / volume, volume, tissue[e].lame});
+      soft->m_sampled.push_back(static_cast<int>(e));
+    }
     soft->m_elements.push_back(*element);
     soft->m_stiffnessDamping.push_back(tissue[e].stiffnessDamping);
   }
   soft->setMass(std::move(masses));
+  soft->setSamples(std::move(samples));
   soft->buildPacks();
   return std::unique_ptr<SoftObject>(std::move(soft));
 }
@@ -176,6 +182,11 @@ ElementReading TetObject::readElement(int element, const State& state) const {
   const Mat3 stretch = F * R.transpose();
   const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
   return {strain, 2 * tet.lame.mu * strain + tet.lame.lambda * strain.trace() * Mat3::Identity()};
+}
+
+void TetObject::readSamples(const State& state, std::vector<ElementReading>& readings) const {
+  readings.clear();
+  for (const int element : m_sampled) readings.push_back(readElement(element, state));
 }
 
 }  // namespace glenoid

@@ -20,6 +20,7 @@ class TetObject : public SoftObject {
   /// With rotations found from the guesses in State::rotations.
   double elasticEnergy(const State& state) const override;
   ElementReading readElement(int tet, const State& state) const override;
+  void readSamples(const State& state, std::vector<ElementReading>& readings) const override;
   int rotationCount() const override { return elementCount(); }
 
  private:
@@ -34,6 +35,7 @@ class TetObject : public SoftObject {
   std::vector<CorotTet> m_elements;
   std::vector<ElementPack> m_packs;        ///< the same elements, four at a time
   std::vector<double> m_stiffnessDamping;  ///< of each element, s
+  std::vector<int> m_sampled;              ///< the element of each sample
 };
 
 }  // namespace glenoid

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/fem/CellModes.h"
+#include "simcore/fem/CellShape.h"
+
 namespace glenoid {
 
 namespace {
 
-using Mat6 = Eigen::Matrix<double, 6, 6>;
-using Mat6x24 = Eigen::Matrix<double, 6, 24>;
-using Mat6x9 = Eigen::Matrix<double, 6, 9>;
 using Mat9 = Eigen::Matrix<double, 9, 9>;
 
 /// Modes whose own stiffness is below this share of a full cell's are held instead: along a direction in which the tissue
@@ -31,41 +31,8 @@ Mat6 elasticityOf(const Lame& lame) {
   return D;
 }
 
-/// Strain of a displacement e_k N with the gradient g of N, for k = 0, 1, 2 as columns.
-Eigen::Matrix<double, 6, 3> strainOf(const Vec3& g) {
-  Eigen::Matrix<double, 6, 3> B;
-  B << g.x(), 0, 0, 0, g.y(), 0, 0, 0, g.z(), g.y(), g.x(), 0, 0, g.z(), g.y(), g.z(), 0, g.x();
-  return B;
-}
-
-double sign(int corner, int axis) { return corner >> axis & 1 ? 1 : -1; }
-
-/// Gradients of the eight shape functions in the box's axes, 1/m.
-Mat38 gradientsAt(const std::array<double, 3>& xi, const Vec3& edges) {
-  Mat38 g;
-  for (int i = 0; i < 8; ++i)
-    for (int a = 0; a < 3; ++a) {
-      const int b = (a + 1) % 3, c = (a + 2) % 3;
-      g(a, i) = 0.25 * sign(i, a) * (1 + sign(i, b) * xi[b]) * (1 + sign(i, c) * xi[c]) / edges[a];
-    }
-  return g;
-}
-
-Mat6x24 strainsOf(const Mat38& gradients) {
-  Mat6x24 B;
-  for (int i = 0; i < 8; ++i) B.middleCols<3>(3 * i) = strainOf(gradients.col(i));
-  return B;
-}
-
-/// Strains of the modes (1 − ξ_a²) e_k, mode 3 a + k: linear in ξ_a.
-Mat6x9 modeStrains(const std::array<double, 3>& xi, const Vec3& edges) {
-  Mat6x9 B;
-  for (int a = 0; a < 3; ++a) B.middleCols<3>(3 * a) = strainOf(-4 * xi[a] / edges[a] * Vec3::Unit(a));
-  return B;
-}
-
-/// K_uu − K_ua K_aa⁻¹ K_uaᵀ in the box's axes.
-Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue) {
+/// K_uu − K_ua K_aa⁻¹ K_uaᵀ in the box's axes, and what the modes do, into `modes`.
+Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue, CellModes& modes) {
   BoxMoments all;
   for (const CellTissue& t : tissue) all += t.moments;
   const Vec3 centroid = meanOf(all);
@@ -78,7 +45,7 @@ Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue) 
     const Mat6 D = elasticityOf(t.lame);
     stiffest = {std::max(stiffest.lambda, t.lame.lambda), std::max(stiffest.mu, t.lame.mu)};
     for (const BoxPoint& point : boxPoints(t.moments)) {
-      const Mat6x24 B = strainsOf(gradientsAt(point.xi, edges));
+      const Mat6x24 B = strainsOf(shapeGradients(point.xi, edges));
       const Mat6x9 E = modeStrains(point.xi, edges) - mean;
       const Mat6x24 stress = D * B;
       K += point.weight * B.transpose() * stress;
@@ -91,7 +58,10 @@ Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue) 
     for (int k = 0; k < 3; ++k)
       Kaa(3 * a + k, 3 * a + k) += kModeFloor * edges.prod() * 16 / (3 * edges[a] * edges[a]) *
                                    (a == k ? stiffest.lambda + 2 * stiffest.mu : stiffest.mu);
-  return K - Kua * Kaa.llt().solve(Kua.transpose());
+  modes.edges = edges;
+  modes.mean = mean;
+  modes.response = -Kaa.llt().solve(Kua.transpose());
+  return K + Kua * modes.response;
 }
 
 /// Torque that is left when R is held, Σ y_i × p_i, and the turning vector it makes of R's dependence on the corners.
@@ -121,7 +91,7 @@ Mat38 cornersOf(const CellBox& box) {
   return x;
 }
 
-Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue) {
+Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue, CellModes* modes) {
   CorotCell cell;
   cell.lame = {0, 0};
   Mat38 gradients = Mat38::Zero();
@@ -129,7 +99,7 @@ Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> 
     cell.volume += t.moments.volume();
     cell.lame.lambda += t.moments.volume() * t.lame.lambda;
     cell.lame.mu += t.moments.volume() * t.lame.mu;
-    for (const BoxPoint& point : boxPoints(t.moments)) gradients += point.weight * gradientsAt(point.xi, box.edges);
+    for (const BoxPoint& point : boxPoints(t.moments)) gradients += point.weight * shapeGradients(point.xi, box.edges);
   }
   if (!(box.edges.minCoeff() > 0) || !(cell.volume > 0))
     return Error{Fault::BadElement, {}, {std::to_string(cell.volume)}, "a cell without edges or tissue"};
@@ -137,7 +107,10 @@ Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> 
   cell.gradients_E = box.axes * gradients / cell.volume;
   const Mat38 corners = cornersOf(box);
   cell.x0_E = corners.colwise() - corners.col(0);
-  const Mat24 K = condensedStiffness(box.edges, tissue);
+  CellModes inside;
+  const Mat24 K = condensedStiffness(box.edges, tissue, inside);
+  inside.axes = box.axes;
+  if (modes) *modes = inside;
   Mat24 turn = Mat24::Zero();
   for (int i = 0; i < 8; ++i) turn.block<3, 3>(3 * i, 3 * i) = box.axes;
   const Mat24 turned = turn * K * turn.transpose();
@@ -150,7 +123,7 @@ Mat8 cellMassShape(const BoxMoments& moments) {
   for (const BoxPoint& point : boxPoints(moments)) {
     Eigen::Matrix<double, 8, 1> N;
     for (int i = 0; i < 8; ++i)
-      N[i] = 0.125 * (1 + sign(i, 0) * point.xi[0]) * (1 + sign(i, 1) * point.xi[1]) * (1 + sign(i, 2) * point.xi[2]);
+      N[i] = 0.125 * (1 + cornerSign(i, 0) * point.xi[0]) * (1 + cornerSign(i, 1) * point.xi[1]) * (1 + cornerSign(i, 2) * point.xi[2]);
     M += point.weight * N * N.transpose();
   }
   return M;

@@ -37,8 +37,9 @@ struct CorotCell {
   Lame lame;          ///< mean over the tissue
 };
 
-/// Fails with BadElement when an edge or the tissue's volume is not positive.
-Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue);
+struct CellModes;
+/// Fails with BadElement when an edge or the tissue's volume is not positive. `modes`: what was condensed, if wanted.
+Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue, CellModes* modes = nullptr);
 
 /// ∫ N Nᵀ over the tissue, m³: times density the consistent mass of the corners.
 Mat8 cellMassShape(const BoxMoments& moments);

@@ -14,6 +14,7 @@
 #include "simcore/scene/JointCheck.h"
 #include "simcore/scene/ScenarioJson.h"
 #include "simcore/scene/SceneJson.h"
+#include "simcore/scene/SceneWords.h"
 
 namespace glenoid {
 namespace {
@@ -43,6 +44,7 @@ JsonValue fromPart(const Part& part) {
   json.set("collision", meshName(part.collision, ".ply"));
   if (part.volume) json.set("volume", meshName(part.volume, ".vtk"));
   if (part.cellSize != 0) json.set("cellSize", part.cellSize);
+  if (part.elements != Elements::Tetrahedra) json.set("elements", scene_words::wordOf(scene_words::kElements, part.elements));
   json.set("materials", listOf(part.materials, fromMaterialUse));
   json.set("regions", listOf(part.regions, fromRegion));
   json.set("landmarks", listOf(part.landmarks, fromLandmark));
@@ -59,6 +61,7 @@ Part toPart(const JsonValue& json) {
   part.kind = json["kind"].text() == "rigid" ? PartKind::Rigid : PartKind::Soft;
   if (json.find("color")) part.color = toColor(json["color"]);
   part.cellSize = json["cellSize"].number();
+  part.elements = scene_words::valueOf(scene_words::kElements, json["elements"].text(), part.elements);
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
   part.landmarks = vectorOf(json["landmarks"], toLandmark);

@@ -8,6 +8,7 @@
 #include "simcore/mesh/TetMesh.h"
 #include "simcore/mesh/TriMesh.h"
 #include "simcore/scene/DentTable.h"
+#include "simcore/scene/Elements.h"
 
 namespace glenoid {
 
@@ -64,6 +65,7 @@ struct Part {
   std::shared_ptr<const TriMesh> collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft parts only, else null
   double cellSize = 0;                    ///< edge of the embedding cells the volume was cut from, m; 0 if rigid
+  Elements elements = Elements::Tetrahedra;  ///< what a soft part is made of in a run
   std::shared_ptr<const DentTable> dents; ///< what the volume is too coarse for; null: not computed
 };
 

@@ -23,6 +23,7 @@ struct PartRecipe {
   int collisionTriangles = 0;                ///< wanted; 0 or at least the visual's number: the visual itself
   int tetrahedra = 0;                        ///< wanted, soft parts; used when cellSize is 0
   double cellSize = 0;                       ///< m, soft parts; when > 0 the cells are exactly this
+  Elements elements = Elements::Tetrahedra;  ///< of a soft part in a run
   GridAxes axes = GridAxes::World;
   std::vector<MaterialUse> materials;
   std::vector<Region> regions;  ///< on the visual surface

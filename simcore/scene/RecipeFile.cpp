@@ -4,6 +4,7 @@
 #include "simcore/file/Schema.h"
 #include "simcore/scene/JointCheck.h"
 #include "simcore/scene/SceneJson.h"
+#include "simcore/scene/SceneWords.h"
 
 namespace glenoid {
 namespace {
@@ -23,6 +24,7 @@ PartRecipe toPartRecipe(const JsonValue& json) {
   part.collisionTriangles = static_cast<int>(json["collisionTriangles"].integer());
   part.tetrahedra = static_cast<int>(json["tetrahedra"].integer());
   part.cellSize = json["cellSize"].number();
+  part.elements = scene_words::valueOf(scene_words::kElements, json["elements"].text(), part.elements);
   part.axes = json["axes"].text() == "principal" ? GridAxes::Principal : GridAxes::World;
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
@@ -102,6 +104,7 @@ Result<Done> checkWishes(const PartRecipe& part, const std::string& pointer, con
   };
   if (part.kind == PartKind::Soft && !wished) return fail("a soft part needs tetrahedra or cellSize");
   if (part.kind == PartKind::Rigid && wished) return fail("a rigid part has neither tetrahedra nor cellSize");
+  if (part.kind == PartKind::Rigid && part.elements != Elements::Tetrahedra) return fail("a rigid part has no elements");
   return Done{};
 }
 

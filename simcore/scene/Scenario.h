@@ -5,15 +5,12 @@
 #include <vector>
 
 #include "simcore/base/Math.h"
+#include "simcore/scene/Elements.h"
 
 namespace glenoid {
 
 /// How one step is solved (design: the same step three ways).
 enum class Profile { Paper, Direct, Reference };
-
-/// Elements of soft parts: five tetrahedra in each cell, as published, or one element of eight nodes over the tissue in it
-/// (fem/CorotCell.h), which bends where tissue is thinner than its cell. The profile `paper` has tetrahedra whatever it says.
-enum class Elements { Tetrahedra, Cells };
 
 /// What the scene's author wishes; the compiled plan says on or off with the reason.
 enum class Wish { Auto, On, Off };
@@ -141,7 +138,7 @@ struct Scenario {
   double dt = 0.005;                 ///< s, in (0, 0.1]
   Vec3 gravity_W = Vec3(0, -9.81, 0);  ///< m/s²
   Profile profile = Profile::Direct;
-  Elements elements = Elements::Tetrahedra;
+  std::optional<Elements> elements;  ///< of all soft parts; without it each part has its own (Part::elements)
   double contactDistance = 0.0015;   ///< m: pairs of features nearer than this make a contact; 0: SceneScale.h
   double recoverySpeedMax = 0.1;     ///< m/s: cap on the speed at which penetration is undone; 0: SceneScale.h
   std::vector<std::string> fixedParts;  ///< ids; they join no island

@@ -191,7 +191,7 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("dt", scenario.dt);
   json.set("gravity", fromVec3(scenario.gravity_W));
   json.set("profile", wordOf(kProfiles, scenario.profile));
-  if (scenario.elements != Elements::Tetrahedra) json.set("elements", wordOf(kElements, scenario.elements));
+  if (scenario.elements) json.set("elements", wordOf(kElements, *scenario.elements));
   if (scenario.contactDistance > 0) json.set("contactDistance", scenario.contactDistance);
   if (scenario.recoverySpeedMax > 0) json.set("recoverySpeedMax", scenario.recoverySpeedMax);
   json.set("fixedParts", fromTexts(scenario.fixedParts));
@@ -221,7 +221,7 @@ Scenario toScenario(const JsonValue& json) {
   scenario.dt = json["dt"].number(scenario.dt);
   scenario.gravity_W = toVec3(json["gravity"], scenario.gravity_W);
   scenario.profile = valueOf(kProfiles, json["profile"].text(), scenario.profile);
-  scenario.elements = valueOf(kElements, json["elements"].text(), scenario.elements);
+  if (json.find("elements")) scenario.elements = valueOf(kElements, json["elements"].text(), Elements::Tetrahedra);
   // What a file leaves open follows the joint; the first form of the file meant the shoulder's figures.
   const bool fixedLengths = json["schemaVersion"].integer(2) < 2;
   scenario.contactDistance = json["contactDistance"].number(fixedLengths ? scenario.contactDistance : 0);

@@ -83,7 +83,6 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
   std::vector<std::pair<int, Pose>> rigidStarts;
   std::vector<std::pair<int, std::vector<Vec3>>> softStarts;
 
-  const bool wantsCells = scenario.elements == Elements::Cells && scenario.profile != Profile::Paper;
   for (Part& part : joint.parts) {
     SceneObject object;
     object.id = part.id;
@@ -111,6 +110,7 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
       Result<std::vector<Vec3>> nodes = startNodes(joint, part);
       if (!nodes) return nodes.error();
       std::optional<CellMesh> cells;
+      const bool wantsCells = scenario.elements.value_or(part.elements) == Elements::Cells && scenario.profile != Profile::Paper;
       if (wantsCells) {
         Result<CellMesh> whole = wholeCells(*part.volume, *part.visual);
         if (!whole) return about(whole.error(), part.id);

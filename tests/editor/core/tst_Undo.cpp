@@ -108,7 +108,10 @@ class Editor {
         if (const Part* chosen = soft()) {
           TetMesh mesh = *chosen->volume;
           for (Vec3& node : mesh.nodes) node *= 1 + 1e-6;
-          setPartVolume(m_document, chosen->id, std::make_shared<const TetMesh>(mesh), number(0.001, 0.02));
+          if (draw(2))
+            setPartVolume(m_document, chosen->id, std::make_shared<const TetMesh>(mesh), number(0.001, 0.02));
+          else
+            setPartElements(m_document, chosen->id, chosen->elements == Elements::Cells ? Elements::Tetrahedra : Elements::Cells);
         }
         break;
       case 8: {

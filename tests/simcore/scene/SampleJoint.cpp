@@ -64,6 +64,7 @@ Joint sampleJoint() {
   cuff.collision = corner({0.2, 0.1, 0.3}, 0.04);
   cuff.volume = filled(*cuff.visual);
   cuff.cellSize = 0.0075;
+  cuff.elements = Elements::Cells;
   cuff.dents = std::make_shared<const DentTable>(
       DentTable{0.0015, {{Vec3(0.01, 0.02, -0.03), 3e-4, 1e-3}, {Vec3(-0.01, 0, 0.125), 0, 2.5e-3}}, "of-something"});
   cuff.regions = {{"insertion", "", "footprint", SurfaceKind::Visual, {{1, 3}}},
@@ -105,6 +106,7 @@ void expectSame(const Joint& a, const Joint& b) {
     EXPECT_EQ(p.regions, q.regions);
     EXPECT_EQ(p.landmarks, q.landmarks);
     EXPECT_EQ(p.cellSize, q.cellSize);
+    EXPECT_EQ(p.elements, q.elements);
     ASSERT_EQ(p.dents == nullptr, q.dents == nullptr);
     if (p.dents) EXPECT_EQ(*p.dents, *q.dents);
     EXPECT_EQ(*p.visual, *q.visual);

@@ -96,6 +96,7 @@ TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
   for (const Slip& slip :
        {Slip{"\"tetrahedra\": 500", "\"tetrahedra\": 0", Fault::Unusable, "/parts/1", "cuff"},
         Slip{"\"number\": 1,", "\"number\": 1, \"cellSize\": 0.01,", Fault::Unusable, "/parts/0", "humerus"},
+        Slip{"\"number\": 1,", "\"number\": 1, \"elements\": \"cells\",", Fault::Unusable, "/parts/0", "humerus"},
         Slip{"sub/c.ply", "../meshes/h.ply", Fault::BadReference, "/parts/1/visual", "cuff"},
         Slip{"[3, 1]", "[3, 2]", Fault::BadIndex, "/parts/1/regions/0/triangles", "cuff"},
         Slip{"\"number\": 2", "\"number\": 1", Fault::DuplicateId, "/parts/1/number", "cuff"},

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "simcore/body/SoftObject.h"
+#include "simcore/embed/Cells.h"
+#include "simcore/linear/BlockCholesky.h"
+#include "simcore/scene/Scenario.h"
+
+namespace glenoid::truth {
+
+/// A closed surface whose triangles carry a mark each, by which a problem says where it holds and pulls.
+struct MarkedSurface {
+  TriMesh mesh;
+  std::vector<char> mark;
+};
+
+/// The body over a mapped quadrilateral (x, y)(s, t), s, t in [0, 1], from the first to the last of `levels` (z, ascending).
+/// Marks: 'a' s = 0, 'b' s = 1, 'c' t = 0, 'd' t = 1, '-' below, '+' above; on 'd' between levels `band` and band + 1: 'e'.
+/// The map must keep orientation.
+MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int nt, const std::vector<double>& levels, int band = -1);
+
+/// A soft part alone as the simulation has it (embedded cells, fill, consistent mass), its stiffness at rest as the step
+/// assembles it, for problems of linear elasticity with published answers. SI units or any other consistent ones.
+/// Surfaces are held by stiff springs over their area, the way a scenario's supports are.
+class EmbeddedBody {
+ public:
+  EmbeddedBody(MarkedSurface surface, double cell, Elements elements, double young, double poisson, double density = 1);
+
+  /// Nothing with one of these marks moves along an axis of W (0, 1, 2).
+  void hold(std::string_view marks, int axis);
+  /// Traction (force for each area) on all triangles of a mark, of their outward unit normal.
+  void pull(char mark, const std::function<Vec3(const Vec3& normal)>& traction);
+
+  /// Displacements under what was pulled.
+  VecX solve() const;
+  /// The lowest natural frequencies, 1/s, ascending.
+  std::vector<double> frequencies(int count) const;
+
+  Vec3 displacementAt(const VecX& u, const Vec3& x) const;
+  /// Recovered as reading/StressRecovery.h says.
+  Mat3 stressAt(const VecX& u, const Vec3& x) const;
+  int nodes() const { return m_layout.nodeCount; }
+
+ private:
+  struct Spread {  ///< a place on the surface and its share of area
+    VertexBinding at;
+    double area;
+    Vec3 normal;
+  };
+  std::vector<Spread> spreadOver(std::string_view marks) const;
+  BlockMatrix held() const;
+
+  MarkedSurface m_surface;
+  double m_young, m_cell;
+  std::shared_ptr<const TetMesh> m_mesh;
+  ObjectLayout m_layout;
+  std::unique_ptr<SoftObject> m_soft;
+  State m_rest;
+  std::shared_ptr<const BlockSymbolic> m_symbolic;
+  std::vector<BlockEntry> m_entries;
+  BlockMatrix assembled(double dt) const;  ///< M + Δt² K
+  std::vector<std::pair<Spread, int>> m_held;
+  VecX m_pull;
+};
+
+}  // namespace glenoid::truth

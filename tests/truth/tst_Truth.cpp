@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Problems of elasticity with published answers, solved with the elements, fill, mass and stress that the simulation has.
+// Their bodies lie in grids that do not follow them, as every soft part does.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "tests/truth/EmbeddedBody.h"
+
+namespace glenoid::truth {
+namespace {
+
+const char* nameOf(Elements kind) { return kind == Elements::Cells ? "cells" : "tetrahedra"; }
+
+/// A quarter of an elliptic annulus between x²/4 + y² = 1 and x²/3.25² + y²/2.75² = 1, of NAFEMS LE1 and LE10. 'a' lies in
+/// x = 0, 'b' in y = 0, 'c' is the inner surface, 'd' the outer one.
+MarkedSurface quarterRing(const std::vector<double>& levels, int band = -1) {
+  const auto map = [](double s, double t) {
+    const double angle = s * M_PI / 2, c = s == 1 ? 0 : std::cos(angle), n = std::sin(angle);
+    return Vec2(((1 - t) * 2 + t * 3.25) * c, ((1 - t) * 1 + t * 2.75) * n);
+  };
+  // (x, y)(s, t) turns the wrong way: s backwards.
+  return prism([&](double s, double t) { return map(1 - s, t); }, 96, 4, levels, band);
+}
+
+/// NAFEMS LE1 (The Standard NAFEMS Benchmarks, 1990): elliptic membrane, σ_yy at D (2, 0) 92.7 MPa.
+double ellipticMembrane(Elements kind, double cell) {
+  EmbeddedBody body(quarterRing({0, 0.1}), cell, kind, 210e9, 0.3);
+  body.hold("b", 1);
+  body.hold("a", 0);
+  body.hold("-", 2);
+  body.pull('d', [](const Vec3& n) -> Vec3 { return 10e6 * n; });
+  const VecX u = body.solve();
+  return body.stressAt(u, {2, 0, 0.05})(1, 1) / 92.7e6;
+}
+
+TEST(Truth, ellipticMembraneOfNafemsLe1) {
+  for (const Elements kind : {Elements::Tetrahedra, Elements::Cells}) {
+    std::printf("LE1, σ_yy at D over 92.7 MPa, %s:", nameOf(kind));
+    for (const double cell : {0.4, 0.2, 0.1, 0.05}) std::printf(" %.3f", ellipticMembrane(kind, cell)), std::fflush(stdout);
+    std::printf("\n");
+  }
+}
+
+/// NAFEMS LE10: thick plate, σ_yy at D (2, 0) of the pressed surface −5.38 MPa.
+double thickPlate(Elements kind, double cell) {
+  EmbeddedBody body(quarterRing({0, 0.1, 0.2, 0.29, 0.31, 0.4, 0.5, 0.6}, 3), cell, kind, 210e9, 0.3);
+  body.hold("b", 1);
+  body.hold("a", 0);
+  body.hold("de", 0);
+  body.hold("de", 1);
+  body.hold("e", 2);
+  body.pull('+', [](const Vec3& n) -> Vec3 { return -1e6 * n; });
+  const VecX u = body.solve();
+  return body.stressAt(u, {2, 0, 0.6})(1, 1) / -5.38e6;
+}
+
+TEST(Truth, thickPlateOfNafemsLe10) {
+  for (const Elements kind : {Elements::Tetrahedra, Elements::Cells}) {
+    std::printf("LE10, σ_yy at D over −5.38 MPa, %s:", nameOf(kind));
+    for (const double cell : {0.4, 0.2, 0.1}) std::printf(" %.3f", thickPlate(kind, cell)), std::fflush(stdout);
+    std::printf("\n");
+  }
+}
+
+/// NAFEMS FV32: tapered membrane held at its wide end, natural frequencies in its plane.
+std::vector<double> taperedMembrane(Elements kind, double cell) {
+  const auto map = [](double s, double t) { return Vec2(10 * s, (2 * t - 1) * (2.5 - 2 * s)); };
+  EmbeddedBody body(prism(map, 20, 10, {0, 0.05}), cell, kind, 200e9, 0.3, 8000);
+  body.hold("a", 0);
+  body.hold("a", 1);
+  body.hold("-", 2);
+  return body.frequencies(6);
+}
+
+TEST(Truth, taperedMembraneOfNafemsFv32) {
+  const double published[] = {44.623, 130.03, 162.70, 246.05, 379.90, 391.44};
+  for (const Elements kind : {Elements::Tetrahedra, Elements::Cells})
+    for (const double cell : {1.0, 0.5, 0.25}) {
+      const std::vector<double> found = taperedMembrane(kind, cell);
+      ASSERT_EQ(found.size(), 6u);
+      std::printf("FV32, frequencies over NAFEMS', %s of %.2f m:", nameOf(kind), cell);
+      for (int i = 0; i < 6; ++i) std::printf(" %.4f", found[i] / published[i]);
+      std::printf("\n");
+    }
+}
+
+/// Cook's membrane (Cook 1974), plane stress, E 1, ν 1/3: how far the middle of its right side rises under a force of 1, 23.96.
+double cook(Elements kind, double cell) {
+  const auto map = [](double s, double t) { return Vec2(48 * s, (1 - t) * 44 * s + t * (44 + 16 * s)); };
+  EmbeddedBody body(prism(map, 12, 12, {0, 1}), cell, kind, 1, 1.0 / 3);
+  body.hold("a", 0);
+  body.hold("a", 1);
+  body.hold("-", 2);
+  body.pull('b', [](const Vec3&) { return Vec3(0, 1.0 / 16, 0); });
+  return body.displacementAt(body.solve(), {48, 52, 0.5}).y() / 23.96;
+}
+
+TEST(Truth, membraneOfCook) {
+  for (const Elements kind : {Elements::Tetrahedra, Elements::Cells}) {
+    std::printf("Cook, deflection over 23.96, %s:", nameOf(kind));
+    for (const double cell : {16.0, 8.0, 4.0, 2.0, 1.0}) std::printf(" %.3f", cook(kind, cell)), std::fflush(stdout);
+    std::printf("\n");
+  }
+}
+
+}  // namespace
+}  // namespace glenoid::truth
