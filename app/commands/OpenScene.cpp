@@ -115,7 +115,7 @@ Result<Done> applyPaper(const std::string& list, PaperSettings& settings) {
     const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
     if (value != "on" && value != "off") return usageError("--paper wants ADDITION=on or off, not “" + word + "”");
     bool* setting = paperSetting(settings, word.substr(0, equals));
-    if (!setting) return usageError("the paper profile has no addition “" + word.substr(0, equals) + "”: tension, recovery-cap, parts or search-again");
+    if (!setting) return usageError("the paper profile has no addition “" + word.substr(0, equals) + "”: tension, recovery-cap, parts, search-again or stretch-law");
     *setting = value == "on";
   }
   return Done{};

@@ -178,7 +178,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_flag("--realtime", wishes->realtime, "Keep pace with the clock");
   command->add_option("--effects", wishes->effects, "Such as friction=off,damping=on");
   command->add_option("--paper", wishes->paper,
-                      "What the paper profile adds to the published step: tension, recovery-cap, parts, search-again, such as parts=on");
+                      "What the paper profile adds to the published step: tension, recovery-cap, parts, search-again, stretch-law, such as parts=on");
   command->add_option("--fail-depth", wishes->failDepth,
                       "Exit status 1 where two objects lie deeper in each other, such as 0.5mm; none: never; without it a third of "
                       "the thickness of the thinner one");

@@ -2,7 +2,9 @@
 #include "simcore/body/CellObject.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "simcore/body/StretchAssembly.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/fem/Rotation.h"
 
@@ -182,13 +184,35 @@ void CellObject::assembleCell(int c, const StepSettings& settings, const VecX& q
   }
 }
 
+LawRange CellObject::rangeOf(std::span<const int> elements, const VecX& q) const {
+  int notSound = 0;
+  for (const int e : elements)
+    notSound += tissueState(m_cells[e].lameLow, deformationGradient(m_cells[e], cornersAt(e, q)), true) != TissueState::Sound;
+  return lawRange(notSound, rotationCount());
+}
+
+void CellObject::addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q,
+                              std::span<const BlockEntry> entries, const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
+  const LawRange range = rangeOf(elements, q);
+  if (range == LawRange::Linear) return;
+  for (const int e : elements) {
+    const auto& element = m_cells[e];
+    const Mat3 R_WE = Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix();
+    if (const auto more = stretchCorrection(element.lameLow, element.lame, deformationGradient(element, cornersAt(e, q)), R_WE, range == LawRange::Whole))
+      addStretchCorrection<8>(*more, element.volume, settings, R_WE, element.gradients_E, kPairs, m_corners[e].data(), &entries[kCellBlocks * e], A, b);
+  }
+}
+
 void CellObject::assemble(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries, VecX& rotations,
                           BlockMatrix& A, Eigen::Ref<VecX> b) const {
   const double dt = settings.dt;
+  std::vector<int>& far = elementScratch(rotationCount());
   const auto rotationOf = [&](int c) { return rotations.data() + rotationOffset() + 4 * c; };
   if (settings.rotationsBySvd) {
-    for (int c = 0; c < rotationCount(); ++c)
+    for (int c = 0; c < rotationCount(); ++c) {
       assembleCell(c, settings, state.q, &entries[kCellBlocks * c], Eigen::Map<Quat>(rotationOf(c)), A, b);
+      far.push_back(c);
+    }
   } else {
     const CellKernel kernel = cellKernel(settings.portable);
     CellTarget target;
@@ -212,14 +236,17 @@ void CellObject::assemble(const StepSettings& settings, const State& state, std:
         const int c = first + lane;
         if (!result.settled[lane]) {
           assembleCell(c, settings, state.q, &entries[kCellBlocks * c], Eigen::Map<Quat>(rotationOf(c)), A, b);
+          far.push_back(c);
           continue;
         }
         std::copy_n(result.quaternion[lane], 4, rotationOf(c));
         for (int i = 0; i < 8; ++i)
           for (int axis = 0; axis < 3; ++axis) b[3 * pack.node[lane][i] + axis] += dt * result.force[i][axis][lane];
+        if (result.strained[lane]) far.push_back(c);
       }
     }
   }
+  if (settings.stretchLaw && !far.empty()) addStretchLaw(far, settings, state.q, entries, rotations, A, b);
   assembleMass(settings, state, entries.subspan(kCellBlocks * m_cells.size()), A, b);
 }
 
@@ -231,33 +258,53 @@ Mat3 CellObject::rotationOf(int cell, const Mat3& F, const State& state) const {
 
 double CellObject::elasticEnergy(const State& state) const {
   double energy = 0;
+  std::vector<int> all(rotationCount());
+  std::iota(all.begin(), all.end(), 0);
+  const LawRange range = rangeOf(all, state.q);
   for (int c = 0; c < rotationCount(); ++c) {
     const Mat38 x = cornersAt(c, state.q);
-    energy += glenoid::elasticEnergy(m_cells[c], x, rotationOf(c, deformationGradient(m_cells[c], x), state));
+    const Mat3 F = deformationGradient(m_cells[c], x), R = rotationOf(c, F, state);
+    energy += glenoid::elasticEnergy(m_cells[c], x, R);
+    if (range == LawRange::Linear) continue;
+    if (const auto more = stretchCorrection(m_cells[c].lameLow, m_cells[c].lame, F, R, range == LawRange::Whole)) energy += m_cells[c].volume * more->energy;
   }
   return energy;
 }
 
-ElementReading CellObject::readElement(int tet, const State& state) const {
+ElementReading CellObject::readElement(int tet, const State& state, bool stretchLaw) const {
   const int c = tet / 5;
   const Mat3 F = deformationGradient(m_cells[c], cornersAt(c, state.q)), R = rotationOf(c, F, state);
   const Mat3 stretch = F * R.transpose();
   const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
   const Lame& lame = m_lameOfTet[tet];
-  return {strain, 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity()};
+  Mat3 stress = 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity();
+  if (stretchLaw)
+    if (const auto more = stretchCorrection(lame, lame, F, R)) stress += R * more->stress_E * R.transpose();
+  return {strain, stress};
 }
 
-void CellObject::readSamples(const State& state, std::vector<ElementReading>& readings) const {
+TissueTrouble CellObject::troubleOf(const VecX& q, bool stretchLaw) const {
+  TissueTrouble trouble;
+  for (int c = 0; c < rotationCount(); ++c)
+    trouble.count(tissueState(m_cells[c].lameLow, deformationGradient(m_cells[c], cornersAt(c, q)), stretchLaw));
+  return trouble;
+}
+
+void CellObject::readSamples(const State& state, std::vector<ElementReading>& readings, bool stretchLaw) const {
   readings.clear();
   for (std::size_t first = 0, k = 0; k < m_places.size(); first = k) {
     const int c = m_places[first].cell;
     const Mat38 x = cornersAt(c, state.q);
-    const Mat3 R = rotationOf(c, deformationGradient(m_cells[c], x), state);
+    const Mat3 F = deformationGradient(m_cells[c], x), R = rotationOf(c, F, state);
     const Mat38 u = R.transpose() * (x.colwise() - x.col(0)) - m_cells[c].x0_E;
     for (; k < m_places.size() && m_places[k].cell == c; ++k) {
       const Mat3 strain = R * strainAt(m_modes[c], m_places[k].xi, u) * R.transpose();
       const Lame& lame = samples()[k].lame;
-      readings.push_back({strain, 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity()});
+      Mat3 stress = 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity();
+      // Like the cell's forces: what the law adds is that of the mean stretch.
+      if (stretchLaw)
+        if (const auto more = stretchCorrection(lame, lame, F, R)) stress += R * more->stress_E * R.transpose();
+      readings.push_back({strain, stress});
     }
   }
 }

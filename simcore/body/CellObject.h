@@ -24,8 +24,9 @@ class CellObject : public SoftObject {
   /// With rotations found from the guesses in State::rotations.
   double elasticEnergy(const State& state) const override;
   /// The mean strain of the cell's tissue, and the stress it makes in the tetrahedron's material.
-  ElementReading readElement(int tet, const State& state) const override;
-  void readSamples(const State& state, std::vector<ElementReading>& readings) const override;
+  ElementReading readElement(int tet, const State& state, bool stretchLaw = true) const override;
+  void readSamples(const State& state, std::vector<ElementReading>& readings, bool stretchLaw = true) const override;
+  TissueTrouble troubleOf(const VecX& q, bool stretchLaw) const override;
   int rotationCount() const override { return static_cast<int>(m_cells.size()); }
 
  private:
@@ -33,6 +34,10 @@ class CellObject : public SoftObject {
   Mat38 cornersAt(int cell, const VecX& q) const;
   Mat3 rotationOf(int cell, const Mat3& F, const State& state) const;
   void buildPacks();
+  /// As for tetrahedra.
+  LawRange rangeOf(std::span<const int> cells, const VecX& q) const;
+  void addStretchLaw(std::span<const int> cells, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
+                     const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const;
   /// One cell by CorotCell: where a lane did not settle, and for the reference.
   void assembleCell(int cell, const StepSettings& settings, const VecX& q, const BlockEntry* entries, Eigen::Map<Quat> rotation,
                     BlockMatrix& A, Eigen::Ref<VecX> b) const;

@@ -34,6 +34,7 @@ struct StepSettings {
   bool damping = true;          ///< Rayleigh
   bool portable = false;        ///< no SIMD kernels
   bool tension = true;          ///< A holds the stiffness of taut tissue against turning
+  bool stretchLaw = true;       ///< far from rest tissue follows fem/StretchLaw.h; else it is linear at any stretch
   bool rotationsBySvd = false;  ///< `reference`: no iteration, no guess
 };
 

@@ -10,6 +10,7 @@
 #include "simcore/body/MassMatrix.h"
 #include "simcore/embed/WholeCells.h"
 #include "simcore/fem/CorotTet.h"
+#include "simcore/fem/StretchLaw.h"
 #include "simcore/mesh/TetMesh.h"
 
 namespace glenoid {
@@ -26,7 +27,7 @@ struct ElementTissue {
 };
 
 /// What an element says of its tissue, symmetric tensors in W: strain R (sym(RᵀF) − I) Rᵀ and stress, Pa, of the same law as
-/// the forces of the step (fem/CorotTet.h), without damping. The stress is that of the tissue: an element that is half
+/// the forces of the step (fem/CorotTet.h, fem/StretchLaw.h), without damping. The stress is that of the tissue: an element that is half
 /// tissue carries half of it.
 struct ElementReading {
   Mat3 strain_W, stress_W;
@@ -37,6 +38,15 @@ struct TissueSample {
   Vec3 at_E = Vec3::Zero();  ///< m
   double volume = 0;         ///< of the tissue that it stands for, m³, > 0
   Lame lame;                 ///< of that tissue
+};
+
+/// How many elements are turned inside out, and how many pressed beyond what their law holds (fem/StretchLaw.h).
+struct TissueTrouble {
+  int insideOut = 0, pressed = 0;
+  void count(TissueState state) {
+    insideOut += state == TissueState::InsideOut;
+    pressed += state == TissueState::Pressed;
+  }
 };
 
 /// Deformable body: q = nodes, v = node velocities, consistent mass. Its mass is where its tissue is, so a part has the
@@ -64,13 +74,16 @@ class SoftObject : public ContactObject {
   Vec6 momentumOf(const VecX& q, const Eigen::Ref<const VecX>& v) const override;
   void addUniform(const Vec3& acceleration_W, Eigen::Ref<VecX> f) const override;
 
-  /// Of a tetrahedron of the mesh, with the rotation found from the guess in State::rotations.
-  virtual ElementReading readElement(int tet, const State& state) const = 0;
+  /// Of a tetrahedron of the mesh, with the rotation found from the guess in State::rotations. `stretchLaw`: as
+  /// StepSettings; elasticEnergy is always with it.
+  virtual ElementReading readElement(int tet, const State& state, bool stretchLaw = true) const = 0;
   /// Places of the tissue, the same for the object's whole life: the tissue's centroid in each tetrahedron, and eight
   /// places in each cell (per material), as far from its centroid as the tissue spreads along the cell's axes.
   std::span<const TissueSample> samples() const { return m_samples; }
   /// What is said there, in the order of samples(); with the modes inside a cell.
-  virtual void readSamples(const State& state, std::vector<ElementReading>& readings) const = 0;
+  virtual void readSamples(const State& state, std::vector<ElementReading>& readings, bool stretchLaw = true) const = 0;
+  /// Elements that a load has been too much for, with nodes at q.
+  virtual TissueTrouble troubleOf(const VecX& q, bool stretchLaw) const = 0;
   /// Elements that have a rotation in the state, in their order.
   virtual int rotationCount() const = 0;
   int elementCount() const { return static_cast<int>(m_mesh->tets.size()); }

@@ -2,7 +2,9 @@
 #include "simcore/body/TetObject.h"
 
 #include <algorithm>
+#include <numeric>
 
+#include "simcore/body/StretchAssembly.h"
 #include "simcore/fem/Rotation.h"
 
 namespace glenoid {
@@ -119,13 +121,35 @@ void TetObject::assembleElement(int e, const StepSettings& settings, const VecX&
   }
 }
 
+LawRange TetObject::rangeOf(std::span<const int> elements, const VecX& q) const {
+  int notSound = 0;
+  for (const int e : elements)
+    notSound += tissueState(m_elements[e].lame, deformationGradient(m_elements[e], nodesOf(e, q)), true) != TissueState::Sound;
+  return lawRange(notSound, elementCount());
+}
+
+void TetObject::addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q,
+                              std::span<const BlockEntry> entries, const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
+  const LawRange range = rangeOf(elements, q);
+  if (range == LawRange::Linear) return;
+  for (const int e : elements) {
+    const auto& element = m_elements[e];
+    const Mat3 R_WE = Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix();
+    if (const auto more = stretchCorrection(element.lame, element.lame, deformationGradient(element, nodesOf(e, q)), R_WE, range == LawRange::Whole))
+      addStretchCorrection<4>(*more, element.volume, settings, R_WE, element.gradients_E, kPairs, mesh().tets[e].data(), &entries[10 * e], A, b);
+  }
+}
+
 void TetObject::assemble(const StepSettings& settings, const State& state, std::span<const BlockEntry> entries,
                           VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
   const double dt = settings.dt;
+  std::vector<int>& far = elementScratch(elementCount());
   const auto rotationOf = [&](int e) { return rotations.data() + rotationOffset() + 4 * e; };
   if (settings.rotationsBySvd) {
-    for (int e = 0; e < elementCount(); ++e)
+    for (int e = 0; e < elementCount(); ++e) {
       assembleElement(e, settings, state.q, &entries[10 * e], Eigen::Map<Quat>(rotationOf(e)), A, b);
+      far.push_back(e);
+    }
   } else {
     const PackKernel kernel = packKernel(settings.portable);
     PackTarget target;
@@ -149,14 +173,17 @@ void TetObject::assemble(const StepSettings& settings, const State& state, std::
         const int e = first + lane;
         if (!result.settled[lane]) {
           assembleElement(e, settings, state.q, &entries[10 * e], Eigen::Map<Quat>(rotationOf(e)), A, b);
+          far.push_back(e);
           continue;
         }
         std::copy_n(result.quaternion[lane], 4, rotationOf(e));
         for (int i = 0; i < 4; ++i)
           for (int axis = 0; axis < 3; ++axis) b[3 * pack.node[lane][i] + axis] += dt * result.force[i][axis][lane];
+        if (result.strained[lane]) far.push_back(e);
       }
     }
   }
+  if (settings.stretchLaw && !far.empty()) addStretchLaw(far, settings, state.q, entries, rotations, A, b);
   assembleMass(settings, state, entries.subspan(10 * m_elements.size()), A, b);
 }
 
@@ -168,25 +195,41 @@ Mat3 TetObject::rotationOf(int element, const Mat3& F, const State& state) const
 
 double TetObject::elasticEnergy(const State& state) const {
   double energy = 0;
+  std::vector<int> all(elementCount());
+  std::iota(all.begin(), all.end(), 0);
+  const LawRange range = rangeOf(all, state.q);
   for (int e = 0; e < elementCount(); ++e) {
     const Mat3 F = deformationGradient(m_elements[e], nodesOf(e, state.q));
-    energy += glenoid::elasticEnergy(m_elements[e], F, rotationOf(e, F, state));
+    const Mat3 R = rotationOf(e, F, state);
+    energy += glenoid::elasticEnergy(m_elements[e], F, R);
+    if (range == LawRange::Linear) continue;
+    if (const auto more = stretchCorrection(m_elements[e].lame, m_elements[e].lame, F, R, range == LawRange::Whole)) energy += m_elements[e].volume * more->energy;
   }
   return energy;
 }
 
-ElementReading TetObject::readElement(int element, const State& state) const {
+ElementReading TetObject::readElement(int element, const State& state, bool stretchLaw) const {
   const CorotTet& tet = m_elements[element];
   const Mat3 F = deformationGradient(tet, nodesOf(element, state.q)), R = rotationOf(element, F, state);
   // R (sym(RᵀF) − I) Rᵀ without going through the element's frame.
   const Mat3 stretch = F * R.transpose();
   const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
-  return {strain, 2 * tet.lame.mu * strain + tet.lame.lambda * strain.trace() * Mat3::Identity()};
+  Mat3 stress = 2 * tet.lame.mu * strain + tet.lame.lambda * strain.trace() * Mat3::Identity();
+  if (stretchLaw)
+    if (const auto more = stretchCorrection(tet.lame, tet.lame, F, R)) stress += R * more->stress_E * R.transpose();
+  return {strain, stress};
 }
 
-void TetObject::readSamples(const State& state, std::vector<ElementReading>& readings) const {
+TissueTrouble TetObject::troubleOf(const VecX& q, bool stretchLaw) const {
+  TissueTrouble trouble;
+  for (int e = 0; e < elementCount(); ++e)
+    trouble.count(tissueState(m_elements[e].lame, deformationGradient(m_elements[e], nodesOf(e, q)), stretchLaw));
+  return trouble;
+}
+
+void TetObject::readSamples(const State& state, std::vector<ElementReading>& readings, bool stretchLaw) const {
   readings.clear();
-  for (const int element : m_sampled) readings.push_back(readElement(element, state));
+  for (const int element : m_sampled) readings.push_back(readElement(element, state, stretchLaw));
 }
 
 }  // namespace glenoid

@@ -19,8 +19,9 @@ class TetObject : public SoftObject {
                 BlockMatrix& A, Eigen::Ref<VecX> b) const override;
   /// With rotations found from the guesses in State::rotations.
   double elasticEnergy(const State& state) const override;
-  ElementReading readElement(int tet, const State& state) const override;
-  void readSamples(const State& state, std::vector<ElementReading>& readings) const override;
+  ElementReading readElement(int tet, const State& state, bool stretchLaw = true) const override;
+  void readSamples(const State& state, std::vector<ElementReading>& readings, bool stretchLaw = true) const override;
+  TissueTrouble troubleOf(const VecX& q, bool stretchLaw) const override;
   int rotationCount() const override { return elementCount(); }
 
  private:
@@ -28,6 +29,11 @@ class TetObject : public SoftObject {
   Mat34 nodesOf(int element, const VecX& q) const;
   Mat3 rotationOf(int element, const Mat3& F, const State& state) const;
   void buildPacks();
+  /// How much of the stretch law holds, where all elements but these are near rest.
+  LawRange rangeOf(std::span<const int> elements, const VecX& q) const;
+  /// What elements that may be far from rest have besides, with their rotations found.
+  void addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
+                     const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const;
   /// One element by CorotTet: where a lane did not settle, and for the reference.
   void assembleElement(int element, const StepSettings& settings, const VecX& q, const BlockEntry* entries,
                        Eigen::Map<Quat> rotation, BlockMatrix& A, Eigen::Ref<VecX> b) const;

@@ -41,6 +41,7 @@ struct alignas(32) CellResult {
   double force[8][3][4];    ///< [corner][axis][lane], N
   double quaternion[4][4];  ///< [lane][x y z w]
   bool settled[4];          ///< where not, the caller must take the cell singly
+  bool strained[4];         ///< as PackResult
 };
 
 /// As PackKernel.

@@ -31,6 +31,17 @@ Mat6 elasticityOf(const Lame& lame) {
   return D;
 }
 
+/// From the means of 1/K and 1/µ.
+Lame meanCompliance(std::span<const CellTissue> tissue, double volume) {
+  double bulk = 0, shear = 0;
+  for (const CellTissue& t : tissue) {
+    bulk += t.moments.volume() / (t.lame.lambda + 2.0 / 3 * t.lame.mu);
+    shear += t.moments.volume() / t.lame.mu;
+  }
+  const double mu = volume / shear;
+  return {volume / bulk - 2.0 / 3 * mu, mu};
+}
+
 /// K_uu − K_ua K_aa⁻¹ K_uaᵀ in the box's axes, and what the modes do, into `modes`.
 Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue, CellModes& modes) {
   BoxMoments all;
@@ -104,6 +115,7 @@ Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> 
   if (!(box.edges.minCoeff() > 0) || !(cell.volume > 0))
     return Error{Fault::BadElement, {}, {std::to_string(cell.volume)}, "a cell without edges or tissue"};
   cell.lame = {cell.lame.lambda / cell.volume, cell.lame.mu / cell.volume};
+  cell.lameLow = tissue.size() == 1 ? tissue[0].lame : meanCompliance(tissue, cell.volume);
   cell.gradients_E = box.axes * gradients / cell.volume;
   const Mat38 corners = cornersOf(box);
   cell.x0_E = corners.colwise() - corners.col(0);

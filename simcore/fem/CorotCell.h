@@ -35,6 +35,10 @@ struct CorotCell {
   Mat38 gradients_E;  ///< g_i as columns, 1/m; they sum to zero
   double volume = 0;  ///< of the tissue, m³, > 0
   Lame lame;          ///< mean over the tissue
+  /// Of what follows the stretch law (StretchLaw.h) where the mean stretch is large: no stiffer than K_E is against any mean
+  /// strain, so that what is left of K_E is never negative. That of the tissue where there is but one, else of its mean compliance
+  /// (Reuss 1929); the rest of a mixed cell stays linear.
+  Lame lameLow;
 };
 
 struct CellModes;

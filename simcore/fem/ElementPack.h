@@ -26,6 +26,7 @@ struct alignas(32) PackResult {
   double force[4][3][4];    ///< [node][axis][lane], N
   double quaternion[4][4];  ///< [lane][x y z w]
   bool settled[4];          ///< the rotation converged; where not, the caller must find it another way
+  bool strained[4];         ///< |S − I|² above 0.04: a principal stretch may have left the linear range (StretchLaw)
 };
 
 /// Rotations (from the guesses), forces, and (dt² + dt β) K + dt² (tension's part) added to the targets, of four elements.

@@ -11,7 +11,8 @@ namespace glenoid {
 std::vector<ElementReading> readTissue(const Model& model, const State& state, int object) {
   const auto& soft = static_cast<const SoftObject&>(*model.inside->objects[object]);
   std::vector<ElementReading> elements;
-  for (int e = 0; e < soft.elementCount(); ++e) elements.push_back(soft.readElement(e, state));
+  const bool stretchLaw = model.scenario.profile != Profile::Paper;
+  for (int e = 0; e < soft.elementCount(); ++e) elements.push_back(soft.readElement(e, state, stretchLaw));
   return elements;
 }
 

@@ -11,7 +11,8 @@ struct Row {
 constexpr Row kRows[] = {{"tension", &PaperSettings::tension},
                          {"recovery-cap", &PaperSettings::recoveryCap},
                          {"parts", &PaperSettings::parts},
-                         {"search-again", &PaperSettings::searchAgain}};
+                         {"search-again", &PaperSettings::searchAgain},
+                         {"stretch-law", &PaperSettings::stretchLaw}};
 }  // namespace
 
 bool* paperSetting(PaperSettings& settings, const std::string& word) {

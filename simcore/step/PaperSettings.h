@@ -14,11 +14,12 @@ struct PaperSettings {
   bool recoveryCap = false;  ///< c cut to the scenario's recoverySpeedMax; as published c = −g/Δt whatever the depth
   bool parts = false;        ///< a step that turns too far is cut in up to 64
   bool searchAgain = false;  ///< contacts are looked for anew where the solve moves something unforeseen
+  bool stretchLaw = false;   ///< overstretched and crushed tissue leaves the linear law (fem/StretchLaw.h)
 
-  static PaperSettings all() { return {true, true, true, true}; }
+  static PaperSettings all() { return {true, true, true, true, true}; }
 };
 
-/// The member of a word ("tension", "recovery-cap", "parts", "search-again"); null for another word.
+/// The member of a word ("tension", "recovery-cap", "parts", "search-again", "stretch-law"); null for another word.
 bool* paperSetting(PaperSettings& settings, const std::string& word);
 
 /// Words of all departures of a `paper` step from the publication: those that are on, then those that have no switch.

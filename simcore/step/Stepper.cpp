@@ -53,6 +53,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.settings.rotationsBySvd = options.profile == Profile::Reference;
   work.additions = options.profile == Profile::Paper ? options.paper : PaperSettings::all();
   work.settings.tension = work.additions.tension;
+  work.settings.stretchLaw = work.additions.stretchLaw;
   work.recoverySpeedMax = work.additions.recoveryCap ? work.model->scenario.recoverySpeedMax : std::numeric_limits<double>::infinity();
   for (const CouplingIslandModel& island : work.inside->islands) {
     IslandWork& scratch = work.islands.emplace_back(island);
