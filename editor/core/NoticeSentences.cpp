@@ -64,6 +64,14 @@ QString NoticeSentences::of(const Notice& n, const NameOf& nameOf) {
       return tr("“%1” was stretched to %2 times its length by step %3 (%4 s), where any tissue is torn: its loads are too large or "
                 "its material is too soft.")
           .arg(name(n.subject), number(n.figure), QString::number(n.step), time);
+    case NoticeKind::InsideOut:
+      return tr("In “%1” %2 of %3 elements were turned inside out, most so at step %4 (%5 s): its loads are too large or its material "
+                "is too soft, and what the run says after that is not to be trusted.")
+          .arg(name(n.subject), number(n.figure, 9), number(n.limit, 9), QString::number(n.step), time);
+    case NoticeKind::Pressed:
+      return tr("In “%1” %2 of %3 elements were pressed beyond three times their Young's modulus, most so at step %4 (%5 s): no law of "
+                "this kind holds tissue that is pressed so hard.")
+          .arg(name(n.subject), number(n.figure, 9), number(n.limit, 9), QString::number(n.step), time);
     case NoticeKind::MarkMissed:
       return tr("The mark “%1” (%2) was missed: nothing pressed with 1 N while it lasted, at steps of %3 ms.")
           .arg(words(n.subject), namesOf(n.other, name), number(n.figure * 1e3));
@@ -80,6 +88,7 @@ QString NoticeSentences::departure(const QString& word) {
   if (word == u"recovery-cap") return tr("the speed at which penetration is undone is capped");
   if (word == u"parts") return tr("steps that turn too far are cut in parts");
   if (word == u"search-again") return tr("contacts are looked for again along unforeseen motion");
+  if (word == u"stretch-law") return tr("overstretched and crushed tissue leaves the linear law");
   if (word == u"explicit-b") return tr("B is kept as a matrix");
   if (word == u"geometric-left-out") return tr("terms of turning levers are left out of ∂F/∂q");
   if (word == u"springs-in-regions") return tr("couplings are springs at points of their regions");

@@ -89,7 +89,7 @@ void LiveWatch::tell() {
 
 void LiveWatch::work() {
   using Clock = std::chrono::steady_clock;
-  RunWatch watch(*m_model);
+  RunWatch watch(*m_model, m_model->scenario.profile != Profile::Paper);
   PenetrationProbe probe(*m_model, SurfaceKind::Collision);
   probe.setLimit(std::nullopt);
   Seen seen;

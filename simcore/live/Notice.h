@@ -13,6 +13,8 @@ enum class NoticeKind {
   TooDeep,        ///< subject, other: two objects, once a pair; figure: depth, limit: the most that is let pass, m; the run fails
   TornAway,       ///< subject: a part; figure: how far its middle went, limit: its size, m
   Overstretched,  ///< subject: a soft part; figure: longest edge of its tetrahedra over its length at rest, limit: what tissue stands
+  InsideOut,      ///< subject: a soft part; figure: most of its elements turned inside out at once, limit: how many it has
+  Pressed,        ///< likewise, pressed beyond three Young's moduli, which their law does not hold (fem/StretchLaw.h)
   MarkMissed,     ///< subject: a mark; other: its tool and part, as far as it names them; figure: Δt, s
   PathCut,        ///< subject: a tool; figure: how far the path of its hand in steps of Δt lies from the recorded one, limit: what counts
                   ///< as contact, m
@@ -22,9 +24,10 @@ inline constexpr int kNoticeKindCount = static_cast<int>(NoticeKind::PathCut) + 
 /// English word of a kind, for reports and tests: "unused-setting", …
 const char* noticeName(NoticeKind kind);
 
-/// Whether what the run says after that is not to be trusted: too deep, torn away, overstretched.
+/// Whether what the run says after that is not to be trusted: too deep, torn away, overstretched, inside out.
 constexpr bool isGrave(NoticeKind kind) {
-  return kind == NoticeKind::TooDeep || kind == NoticeKind::TornAway || kind == NoticeKind::Overstretched;
+  return kind == NoticeKind::TooDeep || kind == NoticeKind::TornAway || kind == NoticeKind::Overstretched ||
+         kind == NoticeKind::InsideOut;
 }
 
 /// Something that whoever reads the figures of a run should be told first. The sentence is made at the top
@@ -33,7 +36,7 @@ struct Notice {
   NoticeKind kind = NoticeKind::UnusedSetting;
   std::string subject, other;  ///< ids or names, see above
   double figure = 0, limit = 0;
-  double time = 0;             ///< s, of the step's end at which it was first so, or worst for TooDeep; 0: of the whole run
+  double time = 0;             ///< s, of the step's end at which it was first so, or worst for TooDeep, InsideOut and Pressed; 0: of the whole run
   long step = 0;               ///< likewise, counted from 1
   UnusedSetting unused;
 };

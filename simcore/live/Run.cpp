@@ -87,7 +87,8 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   if (options.checks) collision.emplace(*model, SurfaceKind::Collision);
   if (collision) collision->setLimit(options.failDepth);
   std::optional<RunWatch> watch;
-  if (options.checks) watch.emplace(*model);
+  const bool stretchLaw = options.stepper.profile != Profile::Paper || options.stepper.paper.stretchLaw;
+  if (options.checks) watch.emplace(*model, stretchLaw);
   if (options.checks && options.visualEvery > 0) visual.emplace(*model, SurfaceKind::Visual);
   std::optional<Pacer> pacer;
   if (options.realtime) pacer.emplace(dt);
@@ -126,7 +127,13 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   report.threads = options.stepper.threads;
   report.realtime = options.realtime;
   report.finite = state.q.allFinite() && state.v.allFinite();
+  report.tissueLaw = stretchLaw ? "stretch" : "linear";
   report.parts = partReports(*model);
+  for (std::size_t i = 0; watch && i < report.parts.size(); ++i)  // parts come first among the objects, in the joint's order
+    if (const auto most = watch->troubleMost(static_cast<int>(i))) {
+      report.parts[i].insideOutMax = most->insideOut;
+      report.parts[i].pressedMax = most->pressed;
+    }
   report.couplingIslands = model->couplingIslandCount;
   if (collision) {
     report.penetrationMax = collision->deepest();

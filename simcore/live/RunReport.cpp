@@ -34,7 +34,8 @@ Json toJson(const PartReport& part) {
                              {"stiffness", c.stiffness}}));
   return object({{"id", part.id}, {"number", part.number}, {"name", part.name}, {"kind", part.rigid ? "rigid" : "soft"},
                  {"renderTriangles", part.renderTriangles}, {"collisionTriangles", part.collisionTriangles},
-                 {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)}, {"couplings", couplings}});
+                 {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)},
+                 {"insideOutMax", orNull(part.insideOutMax)}, {"pressedMax", orNull(part.pressedMax)}, {"couplings", couplings}});
 }
 
 Json toJson(const ContactCounts& c) {
@@ -157,7 +158,7 @@ std::string toJson(const RunReport& r, const std::function<std::string(const Not
        {"contactSolver", object({{"pivoting", r.contactSolver.pivoting}, {"impulses", r.contactSolver.impulses}, {"velocities", r.contactSolver.velocities},
                                  {"convex", r.contactSolver.convex}, {"newtonMax", r.contactSolver.newtonMax}, {"rowsMax", r.contactSolver.rowsMax}})},
        {"jointHash", r.jointHash}, {"stateHash", r.stateHash},
-       {"parts", listOf(r.parts)},
+       {"tissueLaw", r.tissueLaw}, {"parts", listOf(r.parts)},
        {"islands", object({{"coupling", r.couplingIslands}, {"contactMax", r.contactIslandsMax}})},
        {"contacts", toJson(r.contacts)}, {"ms", timesOf(r)}, {"penetrationMax", r.penetrationMax},
        {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},

@@ -34,6 +34,8 @@ struct PartReport {
   bool rigid = true;
   int renderTriangles = 0, collisionTriangles = 0;
   int tetrahedra = 0;     ///< soft parts
+  /// Free soft parts, with checks: most elements at once turned inside out, and pressed beyond what their law holds.
+  std::optional<int> insideOutMax, pressedMax;
   std::vector<PartCoupling> couplings;
 };
 
@@ -102,6 +104,7 @@ struct RunReport {
   double complementarity = 0;     ///< worst of all steps, m/s
   long pivotsExhausted = 0;       ///< contact islands whose answer is not right to the tolerance
   ContactSolverSummary contactSolver;
+  std::string tissueLaw;          ///< of tissue far from rest: "stretch" (fem/StretchLaw.h), or "linear" as published
   std::vector<PartReport> parts;
   int couplingIslands = 0, contactIslandsMax = 0;
   ContactCounts contacts;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simcore/scene/SceneWords.h"
+#include "simcore/step/StepModel.h"
 
 namespace glenoid {
 namespace {
@@ -42,17 +43,19 @@ const char* noticeName(NoticeKind kind) {
     case NoticeKind::TooDeep: return "too-deep";
     case NoticeKind::TornAway: return "torn-away";
     case NoticeKind::Overstretched: return "overstretched";
+    case NoticeKind::InsideOut: return "inside-out";
+    case NoticeKind::Pressed: return "pressed";
     case NoticeKind::MarkMissed: return "mark-missed";
     case NoticeKind::PathCut: return "path-cut";
   }
   return "";
 }
 
-RunWatch::RunWatch(const Model& model) : m_model(model) {
+RunWatch::RunWatch(const Model& model, bool stretchLaw) : m_model(model), m_stretchLaw(stretchLaw) {
   for (std::size_t i = 0; i < model.objects.size(); ++i) {
     const SceneObject& object = model.objects[i];
     if (object.tool || !object.layout.free) continue;
-    Watched watched{static_cast<int>(i), middleOf(object.layout, model.start.q), boundsOf(*object.visual.mesh).diagonal().norm(), {}, {}};
+    Watched watched{static_cast<int>(i), middleOf(object.layout, model.start.q), boundsOf(*object.visual.mesh).diagonal().norm(), {}, {}, false, false, {}};
     if (object.volume) {
       watched.edges = edgesOf(*object.volume);
       for (const auto& [a, b] : watched.edges)
@@ -71,6 +74,7 @@ void RunWatch::look(const State& state) {
       watched.away = way > kSizesAway * watched.size;
       if (watched.away) m_notices.push_back({NoticeKind::TornAway, object.id, "", way, watched.size, state.time, state.step, {}});
     }
+    if (object.volume) countElements(watched, state);
     if (watched.stretched) continue;
     const auto node = [&](int k) { return state.q.segment<3>(layout.qOffset + 3 * k); };
     double ratio2 = 0;  // of the most stretched edge, over the limit
@@ -80,6 +84,30 @@ void RunWatch::look(const State& state) {
     if (watched.stretched)
       m_notices.push_back({NoticeKind::Overstretched, object.id, "", kStretchMost * std::sqrt(ratio2), kStretchMost, state.time, state.step, {}});
   }
+}
+
+void RunWatch::countElements(Watched& watched, const State& state) {
+  const auto& soft = static_cast<const SoftObject&>(*m_model.inside->objects[watched.object]);
+  const TissueTrouble now = soft.troubleOf(state.q, m_stretchLaw);
+  const std::string& id = m_model.objects[watched.object].id;
+  const auto tell = [&](NoticeKind kind, int count, int& most) {
+    if (count <= most) return;
+    most = count;
+    auto notice = std::find_if(m_notices.begin(), m_notices.end(), [&](const Notice& n) { return n.kind == kind && n.subject == id; });
+    if (notice == m_notices.end())
+      notice = m_notices.insert(notice, {kind, id, "", 0, static_cast<double>(soft.rotationCount()), 0, 0, {}});
+    notice->figure = count;
+    notice->time = state.time;
+    notice->step = state.step;
+  };
+  tell(NoticeKind::InsideOut, now.insideOut, watched.most.insideOut);
+  tell(NoticeKind::Pressed, now.pressed, watched.most.pressed);
+}
+
+std::optional<TissueTrouble> RunWatch::troubleMost(int object) const {
+  for (const Watched& watched : m_watched)
+    if (watched.object == object && m_model.objects[object].volume) return watched.most;
+  return {};
 }
 
 std::vector<Notice> noticesBefore(const Model& model, const Recording* input, double seconds) {
