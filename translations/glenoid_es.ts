@@ -2726,6 +2726,18 @@
         <source>couplings are springs at points of their regions</source>
         <translation>los acoplamientos son muelles en puntos de sus regiones</translation>
     </message>
+    <message>
+        <source>In “%1” %2 of %3 elements were turned inside out, most so at step %4 (%5 s): its loads are too large or its material is too soft, and what the run says after that is not to be trusted.</source>
+        <translation>En «%1», %2 de %3 elementos quedaron vueltos del revés, los más en el paso %4 (%5 s): sus cargas son demasiado grandes o su material es demasiado blando, y no hay que fiarse de lo que la simulación dice después.</translation>
+    </message>
+    <message>
+        <source>In “%1” %2 of %3 elements were pressed beyond three times their Young&apos;s modulus, most so at step %4 (%5 s): no law of this kind holds tissue that is pressed so hard.</source>
+        <translation>En «%1», %2 de %3 elementos fueron comprimidos más allá de tres veces su módulo de Young, los más en el paso %4 (%5 s): ninguna ley de esta clase sostiene un tejido tan comprimido.</translation>
+    </message>
+    <message>
+        <source>overstretched and crushed tissue leaves the linear law</source>
+        <translation>el tejido demasiado estirado o aplastado deja la ley lineal</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeStrip</name>
@@ -3079,6 +3091,10 @@
     <message>
         <source>Repair the %2 of “%1”</source>
         <translation>Reparar la %2 de «%1»</translation>
+    </message>
+    <message>
+        <source>“%1” hangs, and the weight below its weakest part will stretch that to %2 times its length, if nothing lies under it. Couple its other end too, or give that part a stiffer material (%3 kPa or more).</source>
+        <translation>«%1» cuelga, y el peso bajo su parte más débil la estirará a %2 veces su longitud, si nada la sostiene por debajo. Una también su otro extremo, o dé a esa parte un material más rígido (%3 kPa o más).</translation>
     </message>
 </context>
 <context>

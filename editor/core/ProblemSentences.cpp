@@ -132,6 +132,10 @@ QString ProblemSentences::what() const {
     case ProblemKind::IslandLoose:
       return filled(tr("These parts are coupled to each other and to nothing that stays: %1. They will fall together. Couple one "
                        "of them to a bone, or hold it."), {names()});
+    case ProblemKind::WeightOverstretches:
+      return filled(tr("“%1” hangs, and the weight below its weakest part will stretch that to %2 times its length, if nothing lies "
+                       "under it. Couple its other end too, or give that part a stiffer material (%3 kPa or more)."),
+                    {part, QLocale().toString(p.figure, 'g', 3), QLocale().toString(1e-3 * p.wanted, 'g', 2)});
     case ProblemKind::CageUnusable:
       return filled(tr("The cage around “%1” cannot be used. %2"), {part, p.error ? glenoid::sentenceOf(*p.error) : QString()});
     case ProblemKind::CageCrushes:
@@ -185,6 +189,7 @@ QString ProblemSentences::fix() const {
     case ProblemKind::FlatTetrahedra:
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
+    case ProblemKind::WeightOverstretches:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: break;
   }

@@ -43,6 +43,7 @@ void checkMaterials(Work& work, const Part& part);
 void checkUnits(Work& work);
 void checkCouplings(Work& work);
 void checkIslands(Work& work);
+void checkWeight(Work& work);
 void checkAtStart(Work& work);
 
 /// Least volume of a tetrahedron with its nodes at `start` over its volume at rest, and which one.

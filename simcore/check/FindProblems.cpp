@@ -30,6 +30,7 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::BondedCollision: return "bonded-collision";
     case ProblemKind::PartLoose: return "part-loose";
     case ProblemKind::IslandLoose: return "island-loose";
+    case ProblemKind::WeightOverstretches: return "weight-overstretches";
     case ProblemKind::CageUnusable: return "cage-unusable";
     case ProblemKind::CageCrushes: return "cage-crushes";
     case ProblemKind::Overlap: return "overlap";
@@ -84,6 +85,7 @@ Result<CheckReport> ProblemFinder::find(const Joint& joint, const Scenario* scen
   checkUnits(work);
   checkCouplings(work);
   checkIslands(work);
+  checkWeight(work);
   checkAtStart(work);
   if (scenario)
     for (const UnusedSetting& unused : unusedSettings(*scenario)) work.add(ProblemKind::SettingUnused, Severity::Warning).unused = unused;

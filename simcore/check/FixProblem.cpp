@@ -241,6 +241,7 @@ bool canFix(const Problem& problem) {
     case ProblemKind::FlatTetrahedra:
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
+    case ProblemKind::WeightOverstretches:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: return false;
   }

@@ -59,6 +59,59 @@ TEST(FindProblems, wishesOfTheScenarioThatDoNothingAreWarnings) {
   EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->unused->name, "selfContact");
 }
 
+/// A block that holds, and a bar of 10 cm below it, bonded at its top; below that a weight of bone where `weight` (20 g).
+Joint hangingJoint(double young, bool weight) {
+  Joint joint;
+  joint.id = joint.name = "hanging";
+  scenes::addMaterials(joint);
+  joint.materials[1].youngsModulus = young;
+  joint.parts.push_back(scenes::boxPart("block", 1, PartKind::Rigid, {0, 0, 0}, {0.01, 0.01, 0.01}));
+  Part bar = scenes::boxPart("bar", 2, PartKind::Soft, {0, -0.1, 0}, {0.01, 0, 0.01});
+  bar.regions.push_back(scenes::regionIn(bar, "top", Box3(Vec3(-1, -1e-4, -1), Vec3(1, 1e-4, 1))));
+  bar.regions.push_back(scenes::regionIn(bar, "foot", Box3(Vec3(-1, -0.1 - 1e-4, -1), Vec3(1, -0.1 + 1e-4, 1))));
+  joint.parts.push_back(bar);
+  joint.couplings.push_back({"hang", "bar", "block", "top", 1e7, 1e-3});
+  if (weight) {
+    joint.parts.push_back(scenes::boxPart("weight", 3, PartKind::Rigid, {0, -0.2, 0}, {0.01, -0.1, 0.01}));
+    joint.couplings.push_back({"load", "bar", "weight", "foot", 1e7, 1e-3});
+  }
+  return joint;
+}
+
+TEST(FindProblems, aPartThatItsOwnWeightOverstretches) {
+  const auto strainOf = [](const Joint& joint, const Scenario& scenario) {
+    const auto problems = findProblems(joint, &scenario);
+    const Problem* problem = problemOf(problems, ProblemKind::WeightOverstretches);
+    EXPECT_TRUE(!problem || problem->part == "bar");
+    EXPECT_TRUE(!problem || problem->severity == Severity::Warning);
+    if (problem) EXPECT_NEAR(problem->wanted, joint.materials[1].youngsModulus * (problem->figure - 1) / 0.2, 1e-6 * problem->wanted);
+    return problem ? problem->figure - 1 : 0;
+  };
+  Scenario scenario;
+  scenario.fixedParts = {"block"};
+  // ρ g h / E, h in the mean over the uppermost 12 of 128 slices.
+  const double alone = 1000 * 9.81 * 0.1 * (1 - 6.0 / 128);
+  EXPECT_NEAR(strainOf(hangingJoint(1000, false), scenario), alone / 1000, 1e-6);
+  EXPECT_EQ(strainOf(hangingJoint(2000, false), scenario), 0) << "stretched to 1.47";
+  // 20 g on 1 cm² more.
+  EXPECT_NEAR(strainOf(hangingJoint(4000, true), scenario), (alone + 0.02 * 9.81 / 1e-4) / 4000, 1e-6);
+  // Held at both ends, by itself, turned over (it stands), without weight, or loose: nothing to foresee.
+  const Joint joint = hangingJoint(1000, true);
+  Scenario other = scenario;
+  other.fixedParts = {"block", "weight"};
+  EXPECT_EQ(strainOf(joint, other), 0);
+  other.fixedParts = {"bar"};
+  EXPECT_EQ(strainOf(joint, other), 0);
+  other = scenario;
+  other.gravity_W *= -1;
+  EXPECT_EQ(strainOf(joint, other), 0);
+  other.gravity_W.setZero();
+  EXPECT_EQ(strainOf(joint, other), 0);
+  // Without a scenario every bone stays: the weight does too.
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::WeightOverstretches));
+  EXPECT_TRUE(has(findProblems(hangingJoint(1000, false)), ProblemKind::WeightOverstretches));
+}
+
 TEST(FindProblems, aJointInMillimetresAndOnePartAmongMetres) {
   Joint joint = soundJoint();
   for (Part& part : joint.parts) {
