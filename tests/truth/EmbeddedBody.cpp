@@ -12,9 +12,7 @@
 namespace glenoid::truth {
 
 namespace {
-/// Springs for each area over E / cell: a held surface gives way by that part of what a cell does.
-constexpr double kStiff = 1e5;
-constexpr double kSpreadInCells = 0.26;  ///< longest edge of the pieces a surface is spread by
+constexpr double kSpreadInCells = 0.5;  ///< longest edge of the pieces a surface is spread by
 
 void cut(const Vec3& a, const Vec3& b, const Vec3& c, double longest, const std::function<void(const Vec3&, const Vec3&, const Vec3&)>& piece) {
   if (std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) <= longest) return piece(a, b, c);
@@ -61,10 +59,10 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
   return surface;
 }
 
-EmbeddedBody::EmbeddedBody(MarkedSurface surface, double cell, Elements elements, double young, double poisson, double density)
-    : m_surface(std::move(surface)), m_young(young), m_cell(cell) {
+EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density)
+    : m_surface(std::move(surface)), m_young(young), m_cell(std::cbrt(cell.prod())) {
   const TriMesh& mesh = m_surface.mesh;
-  TetMesh cut = embedInCells(mesh, mesh, cell).value();
+  TetMesh cut = embedInCells(mesh, mesh, CellGrid{{}, cell}).value();
   const ElementTissue alike{lameFrom(young, poisson), density};
   const auto layoutOf = [](const TetMesh& tets) {
     const int n = static_cast<int>(tets.nodes.size());
@@ -116,8 +114,8 @@ std::vector<EmbeddedBody::Spread> EmbeddedBody::spreadOver(std::string_view mark
   return spread;
 }
 
-void EmbeddedBody::hold(std::string_view marks, int axis) {
-  for (const Spread& place : spreadOver(marks)) m_held.push_back({place, axis});
+void EmbeddedBody::hold(std::string_view marks, int axis, double stiff) {
+  for (const Spread& place : spreadOver(marks)) m_held.push_back({place, axis, stiff});
 }
 
 void EmbeddedBody::pull(char mark, const std::function<Vec3(const Vec3&)>& traction) {
@@ -139,12 +137,12 @@ BlockMatrix EmbeddedBody::held() const {
   // M + Δt² K for a Δt over which the mass is nothing, over Δt².
   BlockMatrix K = assembled(1), M = assembled(0);
   for (std::size_t i = 0; i < K.values().size(); ++i) K.values()[i] -= M.values()[i];
-  for (const auto& [place, axis] : m_held)
+  for (const auto& [place, axis, stiff] : m_held)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j <= i; ++j) {
         if (place.at.weight[i] == 0 || place.at.weight[j] == 0) continue;
         Mat3 spring = Mat3::Zero();
-        spring(axis, axis) = kStiff * m_young / m_cell * place.area * place.at.weight[i] * place.at.weight[j];
+        spring(axis, axis) = stiff * m_young / m_cell * place.area * place.at.weight[i] * place.at.weight[j];
         K.add(m_symbolic->entry(place.at.node[i], place.at.node[j]), spring);
       }
   return K;

@@ -26,10 +26,12 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
 /// Surfaces are held by stiff springs over their area, the way a scenario's supports are.
 class EmbeddedBody {
  public:
-  EmbeddedBody(MarkedSurface surface, double cell, Elements elements, double young, double poisson, double density = 1);
+  EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density = 1);
 
-  /// Nothing with one of these marks moves along an axis of W (0, 1, 2).
-  void hold(std::string_view marks, int axis);
+  /// Nothing with one of these marks moves along an axis of W (0, 1, 2): springs of `stiff` E / cell for each area. Where such a
+  /// face cuts through cells they must not be much stiffer than those: a field that is piecewise linear and zero on a face
+  /// inside its elements has one slope there for all of them.
+  void hold(std::string_view marks, int axis, double stiff = 1e5);
   /// Traction (force for each area) on all triangles of a mark, of their outward unit normal.
   void pull(char mark, const std::function<Vec3(const Vec3& normal)>& traction);
 
@@ -61,7 +63,12 @@ class EmbeddedBody {
   std::shared_ptr<const BlockSymbolic> m_symbolic;
   std::vector<BlockEntry> m_entries;
   BlockMatrix assembled(double dt) const;  ///< M + Δt² K
-  std::vector<std::pair<Spread, int>> m_held;
+  struct Held {
+    Spread place;
+    int axis;
+    double stiff;
+  };
+  std::vector<Held> m_held;
   VecX m_pull;
 };
 
