@@ -30,6 +30,10 @@ std::string summaryOf(const RunReport& r) {
          (r.visualPenetrationMax ? text("; visual surfaces %.3f mm", *r.visualPenetrationMax * 1e3) : std::string()) +
          (r.visualPenetrationPair.empty() ? std::string() : " (" + r.visualPenetrationPair + ")") + "\n";
   out += text("residual:    %.2e\n", r.residual);
+  std::string cells;
+  for (const PartReport& part : r.parts)
+    if (part.cells > 0) cells += (cells.empty() ? "" : ", ") + text("%d in ", part.cells) + part.id;
+  if (!cells.empty()) out += "cells:       " + cells + "\n";
   if (r.tissueLaw == "linear") out += "tissue:      the linear law at any stretch, as published: overstretched tissue may turn inside out\n";
   if (r.paper)
     out += text("paper:       D by node in %ld steps, by object in %ld; outer iterations %.1f mean, %d max, residual %.1e; "

@@ -34,7 +34,7 @@ Json toJson(const PartReport& part) {
                              {"stiffness", c.stiffness}}));
   return object({{"id", part.id}, {"number", part.number}, {"name", part.name}, {"kind", part.rigid ? "rigid" : "soft"},
                  {"renderTriangles", part.renderTriangles}, {"collisionTriangles", part.collisionTriangles},
-                 {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)},
+                 {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)}, {"cells", part.rigid ? Json() : Json(part.cells)},
                  {"insideOutMax", orNull(part.insideOutMax)}, {"pressedMax", orNull(part.pressedMax)}, {"couplings", couplings}});
 }
 
@@ -124,7 +124,11 @@ std::vector<PartReport> partReports(const Model& model) {
     report.rigid = part.kind == PartKind::Rigid;
     if (part.visual) report.renderTriangles = static_cast<int>(part.visual->triangles.size());
     if (part.collision) report.collisionTriangles = static_cast<int>(part.collision->triangles.size());
-    if (part.volume) report.tetrahedra = static_cast<int>(part.volume->tets.size());
+    const auto object = std::find_if(model.objects.begin(), model.objects.end(), [&](const SceneObject& o) { return o.id == part.id; });
+    if (part.volume && object != model.objects.end()) {
+      report.tetrahedra = object->authoredTets;
+      report.cells = object->cells ? object->elements : 0;
+    }
     for (std::size_t c = 0; c < model.joint.couplings.size(); ++c) {
       const Coupling& coupling = model.joint.couplings[c];
       for (const auto& [here, there] : {std::pair(coupling.partA, coupling.partB), std::pair(coupling.partB, coupling.partA)}) {

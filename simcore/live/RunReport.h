@@ -33,7 +33,8 @@ struct PartReport {
   int number = 0;
   bool rigid = true;
   int renderTriangles = 0, collisionTriangles = 0;
-  int tetrahedra = 0;     ///< soft parts
+  int tetrahedra = 0;     ///< soft parts, of the mesh as authored
+  int cells = 0;          ///< soft parts that ran as cells (Elements), else 0
   /// Free soft parts, with checks: most elements at once turned inside out, and pressed beyond what their law holds.
   std::optional<int> insideOutMax, pressedMax;
   std::vector<PartCoupling> couplings;

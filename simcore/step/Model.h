@@ -27,6 +27,7 @@ struct SceneObject {
   SurfaceBinding visual, collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft only; node i of the state is node i of this mesh
   bool cells = false;           ///< soft only: elements are whole cells, five tetrahedra of the volume each
+  int authoredTets = 0;         ///< soft only: of the part as it was given; whole cells have more
   int elements = 0;             ///< soft only: how many rotations the state has of it
   double mass = 0;              ///< kg
   int motion = -1;              ///< in scenario.motions: a fixed part that moves; −1: none
