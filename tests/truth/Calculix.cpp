@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/truth/Calculix.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "tests/simcore/file/TemporaryFolder.h"
+
+namespace glenoid::truth {
+
+namespace {
+
+/// Corners and middles of a brick of 20 nodes by half steps from its first corner, in the order of the program's manual.
+constexpr int kOrder[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}, {2, 1, 0},
+                               {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+
+using Nodes = std::map<std::array<int, 3>, int>;
+
+Nodes writeInput(const BrickProblem& p, const std::string& path) {
+  std::ofstream out(path);
+  out.precision(17);
+  Nodes nodes;
+  out << "*NODE, NSET=ALL\n";
+  for (int k = 0; k <= 2 * p.nz; ++k)
+    for (int j = 0; j <= 2 * p.nt; ++j)
+      for (int i = 0; i <= 2 * p.ns; ++i) {
+        if (i % 2 + j % 2 + k % 2 > 1) continue;
+        const int id = nodes[{i, j, k}] = static_cast<int>(nodes.size()) + 1;
+        const Vec2 x = p.map(0.5 * i / p.ns, 0.5 * j / p.nt);
+        out << id << ", " << x.x() << ", " << x.y() << ", " << p.thickness * 0.5 * k / p.nz << "\n";
+      }
+  out << "*ELEMENT, TYPE=C3D20R, ELSET=BODY\n";
+  std::string pressed;
+  int element = 0;
+  for (int k = 0; k < p.nz; ++k)
+    for (int j = 0; j < p.nt; ++j)
+      for (int i = 0; i < p.ns; ++i) {
+        out << ++element;
+        for (int n = 0; n < 20; ++n)
+          out << (n == 10 ? ",\n" : ", ") << nodes.at({2 * i + kOrder[n][0], 2 * j + kOrder[n][1], 2 * k + kOrder[n][2]});
+        out << "\n";
+        const bool loaded = p.pressed == '+' ? k == p.nz - 1 : j == p.nt - 1;
+        if (loaded) pressed += std::to_string(element) + (p.pressed == '+' ? ", P2, " : ", P5, ") + std::to_string(p.pressure) + "\n";
+      }
+  out << "*MATERIAL, NAME=M\n*ELASTIC\n" << p.young << ", " << p.poisson << "\n*SOLID SECTION, ELSET=BODY, MATERIAL=M\n*BOUNDARY\n";
+  for (const auto& [at, id] : nodes)
+    for (int axis = 0; axis < 3; ++axis)
+      if (p.held(0.5 * at[0] / p.ns, 0.5 * at[1] / p.nt, 0.5 * at[2] / p.nz, axis)) out << id << ", " << axis + 1 << "\n";
+  out << "*STEP\n*STATIC\n*DLOAD\n" << pressed << "*EL FILE\nS\n*END STEP\n";
+  return nodes;
+}
+
+/// The six numbers of a node in the block STRESS of a result file: fields of twelve characters.
+std::optional<Mat3> stressAt(const std::string& path, int node) {
+  std::ifstream in(path);
+  bool stress = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.rfind(" -4", 0) == 0) stress = line.find("STRESS") != std::string::npos;
+    if (!stress || line.rfind(" -1", 0) != 0 || line.size() < 13 + 6 * 12 || std::atoi(line.substr(3, 10).c_str()) != node) continue;
+    double s[6];
+    for (int i = 0; i < 6; ++i) s[i] = std::atof(line.substr(13 + 12 * static_cast<std::size_t>(i), 12).c_str());
+    Mat3 sigma;
+    sigma << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+    return sigma;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool hasCalculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
+
+std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z) {
+  const TemporaryFolder folder;
+  const std::string stem = folder.path("body");
+  const Nodes nodes = writeInput(problem, stem + ".inp");
+  if (std::system(("cd '" + folder.path() + "' && OMP_NUM_THREADS=1 ccx -i body > ccx.log 2>&1").c_str()) != 0) return std::nullopt;
+  const auto half = [](double share, int count) { return static_cast<int>(std::lround(2 * share * count)); };
+  return stressAt(stem + ".frd", nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
+}
+
+}  // namespace glenoid::truth
