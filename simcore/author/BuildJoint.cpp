@@ -47,10 +47,7 @@ Result<Done> cutVolume(const PartRecipe& recipe, Part& part) {
   if (recipe.kind == PartKind::Rigid) return Done{};
   part.elements = recipe.elements;
   if (recipe.cellSize > 0) {
-    CellGrid grid;
-    if (recipe.axes == GridAxes::Principal) grid.frame.q_WB = principalAxes(*part.visual);
-    grid.cell = Vec3::Constant(recipe.cellSize);
-    auto mesh = embedInCells(*part.visual, *part.collision, grid);
+    auto mesh = embedAlong(*part.visual, *part.collision, recipe.cellSize, recipe.axes);
     if (!mesh) return inPart(mesh.error(), recipe.id);
     part.volume = std::make_shared<const TetMesh>(std::move(*mesh));
     part.cellSize = recipe.cellSize;

@@ -60,6 +60,14 @@ std::array<Vec3, 8> placesIn(const BoxMoments& moments) {
   return places;
 }
 
+/// The place with these coordinates in a cell.
+Vec3 placeAt(const Mat38& corners, const Vec3& xi) {
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < 8; ++i)
+    p += 0.125 * (1 + (i & 1 ? xi.x() : -xi.x())) * (1 + (i & 2 ? xi.y() : -xi.y())) * (1 + (i & 4 ? xi.z() : -xi.z())) * corners.col(i);
+  return p;
+}
+
 /// Mass and drag of each two corners of a cell.
 void appendMasses(const BoxMoments* moments, const ElementTissue* tissue, double whole, const std::array<int, 8>& corners,
                   std::vector<MassPair>& masses) {
@@ -90,7 +98,9 @@ Result<std::unique_ptr<SoftObject>> CellObject::make(const ObjectLayout& layout,
     const double whole = cells.boxes[c].edges.prod();
     const CellContent content = contentOf(&cells.tissue[5 * c], &tissue[5 * c], whole);
     CellModes modes;
-    Result<CorotCell> cell = makeCorotCell(cells.boxes[c], content.tissue, &modes);
+    Mat38 corners;
+    for (int i = 0; i < 8; ++i) corners.col(i) = cells.mesh.nodes[cells.corners[c][i]];
+    Result<CorotCell> cell = makeCorotCell(corners, content.tissue, &modes);
     if (!cell) {
       cell.error().place.element = static_cast<long>(5 * c);
       return cell.error();
@@ -99,8 +109,7 @@ Result<std::unique_ptr<SoftObject>> CellObject::make(const ObjectLayout& layout,
     for (const CellTissue& each : content.tissue)
       for (const Vec3& xi : placesIn(each.moments)) {
         soft->m_places.push_back({static_cast<int>(c), xi});
-        const CellBox& box = cells.boxes[c];
-        samples.push_back({box.origin + box.axes * (0.5 * (xi.array() + 1) * box.edges.array()).matrix(), each.moments.volume() / 8, each.lame});
+        samples.push_back({placeAt(corners, xi), each.moments.volume() / 8, each.lame});
       }
     soft->m_modes.push_back(modes);
     soft->m_cells.push_back(*cell);

@@ -29,7 +29,8 @@ struct CellGrid {
 Result<TetMesh> embedInCells(const TriMesh& visual, const TriMesh& collision, const CellGrid& grid);
 Result<TetMesh> embedInCells(const TriMesh& visual, const TriMesh& collision, double cellSize);
 
-enum class GridAxes { World, Principal };
+/// `Band`: along the part's principal axes, the third bent as the part is (BandShape.h), for bands thinner than a cell.
+enum class GridAxes { World, Principal, Band };
 
 /// Principal axes of the area of a surface as a rotation (columns: longest extent first, right-handed).
 Quat principalAxes(const TriMesh& surface);
@@ -47,6 +48,9 @@ struct CellChoice {
 /// piece; OutOfRange for a target outside 1…200 000.
 Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets,
                                GridAxes axes = GridAxes::World);
+
+/// embedInCells with cubes along such axes.
+Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, double cellSize, GridAxes axes);
 
 /// Edge of the cells of chooseCells, m; note that its shift of the grid belongs to the answer.
 Result<double> cellSizeFor(const TriMesh& visual, const TriMesh& collision, int targetTets,

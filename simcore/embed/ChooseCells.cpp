@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "simcore/embed/BandShape.h"
 #include "simcore/embed/Cells.h"
 #include "simcore/embed/Lattice.h"
 #include "simcore/mesh/MeshHealth.h"
@@ -71,16 +72,15 @@ Quat principalAxes(const TriMesh& surface) {
   return Quat(axes).normalized();
 }
 
-Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets,
-                               GridAxes axes) {
-  for (const TriMesh* surface : {&visual, &collision})
-    if (const auto closed = requireClosed(*surface); !closed) return closed.error();
+namespace {
+
+/// chooseCells along given axes.
+Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision, int targetTets, const Quat& frame) {
   if (targetTets < 1 || targetTets > kMostTets)
     return Error{Fault::OutOfRange,
                  {},
                  {std::to_string(targetTets), "1", std::to_string(kMostTets)},
                  "tetrahedra of a part"};
-  const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
   const EmbeddedSurfaces surfaces(visual, collision);
   // Grids are tried on a stand-in for a very large surface, whose triangles are much smaller than any cell; what is
   // taken in the end is cut by the surface itself.
@@ -125,6 +125,49 @@ Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, 
                {},
                {"no cell size gives one piece of about " + std::to_string(targetTets) + " tetrahedra"},
                "cells of a part"};
+}
+
+/// What a grid along a band is cut round, and the way back of its nodes.
+struct FlatPart {
+  explicit FlatPart(const TriMesh& visualSurface, const TriMesh& collisionSurface)
+      : band(bandOf(visualSurface)), visual(flattened(band, visualSurface, kFlatness * band.length)),
+        collision(flattened(band, collisionSurface, kFlatness * band.length)) {}
+  void bend(TetMesh& mesh) const {
+    for (Vec3& node : mesh.nodes) node = band.bent(node);
+  }
+  static constexpr double kFlatness = 1e-4;  ///< of the length: which cells a surface meets
+  BandShape band;
+  TriMesh visual, collision;
+};
+
+Result<Done> requireBothClosed(const TriMesh& visual, const TriMesh& collision) {
+  for (const TriMesh* surface : {&visual, &collision})
+    if (const auto closed = requireClosed(*surface); !closed) return closed.error();
+  return Done{};
+}
+
+}  // namespace
+
+Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets, GridAxes axes) {
+  if (const auto closed = requireBothClosed(visual, collision); !closed) return closed.error();
+  const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
+  if (axes != GridAxes::Band) return chooseInFrame(visual, collision, targetTets, frame);
+  const FlatPart flat(visual, collision);
+  auto choice = chooseInFrame(flat.visual, flat.collision, targetTets, frame);
+  if (choice) flat.bend(choice->mesh);
+  return choice;
+}
+
+Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, double cellSize, GridAxes axes) {
+  CellGrid grid;
+  grid.cell = Vec3::Constant(cellSize);
+  if (axes != GridAxes::World) grid.frame.q_WB = principalAxes(visual);
+  if (axes != GridAxes::Band) return embedInCells(visual, collision, grid);
+  if (const auto closed = requireBothClosed(visual, collision); !closed) return closed.error();
+  const FlatPart flat(visual, collision);
+  auto mesh = embedInCells(flat.visual, flat.collision, grid);
+  if (mesh) flat.bend(*mesh);
+  return mesh;
 }
 
 Result<double> cellSizeFor(const TriMesh& visual, const TriMesh& collision, int targetTets, GridAxes axes) {

@@ -151,28 +151,24 @@ int piecesOf(const CellMesh& cells) {
   return count;
 }
 
-}  // namespace
-
-Result<CellMesh> wholeCells(const TetMesh& cut, const TriMesh& closed) {
-  const Result<CellGrouping> grouping = groupIntoCells(cut);
-  if (!grouping) return grouping.error();
-  const std::vector<BoxMoments> tissue = tissueOf(*grouping, closed);
-  const int n = static_cast<int>(grouping->cells.size());
+CellMesh cellsOf(const CellGrouping& grouping, const TriMesh& closed) {
+  const std::vector<BoxMoments> tissue = tissueOf(grouping, closed);
+  const int n = static_cast<int>(grouping.cells.size());
   std::vector<BoxMoments> all;
   for (int c = 0; c < n; ++c) all.push_back(sumOf(tissue, c));
 
   std::vector<char> stays(n, 1), every(n, 1);
   std::vector<BoxMoments> merged = tissue;
   for (int c = 0; c < n; ++c) {
-    const double share = all[c].volume() / grouping->cells[c].box.edges.prod();
+    const double share = all[c].volume() / grouping.cells[c].box.edges.prod();
     if (share < kNothing) {
       stays[c] = 0;
       continue;
     }
-    const std::optional<int> host = share < kSliver ? hostOf(*grouping, all, c) : std::nullopt;
+    const std::optional<int> host = share < kSliver ? hostOf(grouping, all, c) : std::nullopt;
     if (!host) continue;
     stays[c] = 0;
-    const GroupedCell &from = grouping->cells[c], &to = grouping->cells[*host];
+    const GroupedCell &from = grouping.cells[c], &to = grouping.cells[*host];
     for (int five = 0; five < 5; ++five) {
       const BoxMoments& part = tissue[5 * c + five];
       if (part.volume() == 0) continue;
@@ -180,8 +176,28 @@ Result<CellMesh> wholeCells(const TetMesh& cut, const TriMesh& closed) {
       merged[5 * *host + nearestTet(to, middle)] += inOtherBox(part, from.box, to.box);
     }
   }
-  CellMesh whole = meshOf(*grouping, every, tissue), fewer = meshOf(*grouping, stays, merged);
+  CellMesh whole = meshOf(grouping, every, tissue), fewer = meshOf(grouping, stays, merged);
   return fewer.boxes.empty() || piecesOf(fewer) > piecesOf(whole) ? whole : fewer;
+}
+
+/// How nearly the flat surface encloses what the bent one does, of the band's length.
+constexpr double kFlatness = 1e-6;
+
+}  // namespace
+
+Result<CellMesh> wholeCells(const TetMesh& cut, const TriMesh& closed) {
+  const Result<CellGrouping> grouping = groupIntoCells(cut);
+  if (grouping) return cellsOf(*grouping, closed);
+  if (cut.tets.empty() || closed.triangles.empty()) return grouping.error();
+  const BandShape band = bandOf(closed);
+  TetMesh flat = cut;
+  for (Vec3& node : flat.nodes) node = band.flattened(node);
+  const Result<CellGrouping> along = groupIntoCells(flat);
+  if (!along) return grouping.error();
+  CellMesh cells = cellsOf(*along, flattened(band, closed, kFlatness * band.length));
+  for (Vec3& node : cells.mesh.nodes) node = band.bent(node);
+  cells.band = band;
+  return cells;
 }
 
 }  // namespace glenoid

@@ -7,13 +7,12 @@ namespace glenoid {
 
 Mat3 strainAt(const CellModes& modes, const Vec3& xi, const Mat38& u_E) {
   const std::array<double, 3> at{xi.x(), xi.y(), xi.z()};
-  const Mat38 turned = modes.axes.transpose() * u_E;
-  const Eigen::Matrix<double, 24, 1> u = turned.reshaped();
-  const Eigen::Matrix<double, 6, 1> e = strainsOf(shapeGradients(at, modes.edges)) * u +
-                                        (modeStrains(at, modes.edges) - modes.mean) * (modes.response * u);
+  const Eigen::Matrix<double, 24, 1> u = u_E.reshaped();
+  const Eigen::Matrix<double, 6, 1> e = strainsOf(shapeGradients(at, modes.corners_E)) * u +
+                                        (modeStrains(at, modes.inMiddle_E) - modes.mean) * (modes.response * u);
   Mat3 strain;
   strain << e[0], 0.5 * e[3], 0.5 * e[5], 0.5 * e[3], e[1], 0.5 * e[4], 0.5 * e[5], 0.5 * e[4], e[2];
-  return modes.axes * strain * modes.axes.transpose();
+  return strain;
 }
 
 }  // namespace glenoid

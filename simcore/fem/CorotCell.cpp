@@ -42,12 +42,13 @@ Lame meanCompliance(std::span<const CellTissue> tissue, double volume) {
   return {volume / bulk - 2.0 / 3 * mu, mu};
 }
 
-/// K_uu − K_ua K_aa⁻¹ K_uaᵀ in the box's axes, and what the modes do, into `modes`.
-Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue, CellModes& modes) {
+/// K_uu − K_ua K_aa⁻¹ K_uaᵀ, and what the modes do, into `modes`, whose corners are given.
+Mat24 condensedStiffness(std::span<const CellTissue> tissue, CellModes& modes) {
   BoxMoments all;
   for (const CellTissue& t : tissue) all += t.moments;
   const Vec3 centroid = meanOf(all);
-  const Mat6x9 mean = modeStrains({centroid.x(), centroid.y(), centroid.z()}, edges);
+  modes.inMiddle_E = toGradients({0, 0, 0}, modes.corners_E);
+  modes.mean = modeStrains({centroid.x(), centroid.y(), centroid.z()}, modes.inMiddle_E);
   Mat24 K = Mat24::Zero();
   Eigen::Matrix<double, 24, 9> Kua = Eigen::Matrix<double, 24, 9>::Zero();
   Mat9 Kaa = Mat9::Zero();
@@ -56,21 +57,21 @@ Mat24 condensedStiffness(const Vec3& edges, std::span<const CellTissue> tissue, 
     const Mat6 D = elasticityOf(t.lame);
     stiffest = {std::max(stiffest.lambda, t.lame.lambda), std::max(stiffest.mu, t.lame.mu)};
     for (const BoxPoint& point : boxPoints(t.moments)) {
-      const Mat6x24 B = strainsOf(shapeGradients(point.xi, edges));
-      const Mat6x9 E = modeStrains(point.xi, edges) - mean;
+      const Mat6x24 B = strainsOf(shapeGradients(point.xi, modes.corners_E));
+      const Mat6x9 E = modeStrains(point.xi, modes.inMiddle_E) - modes.mean;
       const Mat6x24 stress = D * B;
       K += point.weight * B.transpose() * stress;
       Kua += point.weight * stress.transpose() * E;
       Kaa += point.weight * E.transpose() * D * E;
     }
   }
-  // The full cell's: ∫ (4 ξ / h)² over it is 16 V / 3 h².
-  for (int a = 0; a < 3; ++a)
-    for (int k = 0; k < 3; ++k)
-      Kaa(3 * a + k, 3 * a + k) += kModeFloor * edges.prod() * 16 / (3 * edges[a] * edges[a]) *
-                                   (a == k ? stiffest.lambda + 2 * stiffest.mu : stiffest.mu);
-  modes.edges = edges;
-  modes.mean = mean;
+  // A share of the full cell's own: ∫ (2 ξ_a |∇ξ_a|)² over it is 4 V |∇ξ_a|² / 3.
+  const double whole = 8 / modes.inMiddle_E.determinant();
+  for (int a = 0; a < 3; ++a) {
+    const Mat6x3 G = strainOf(modes.inMiddle_E.col(a));
+    const Mat3 own = G.transpose() * elasticityOf(stiffest) * G;
+    Kaa.block<3, 3>(3 * a, 3 * a) += kModeFloor * whole * 4 / 3 * own;
+  }
   modes.response = -Kaa.llt().solve(Kua.transpose());
   return K + Kua * modes.response;
 }
@@ -102,31 +103,27 @@ Mat38 cornersOf(const CellBox& box) {
   return x;
 }
 
-Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue, CellModes* modes) {
+Result<CorotCell> makeCorotCell(const Mat38& corners, std::span<const CellTissue> tissue, CellModes* modes) {
   CorotCell cell;
   cell.lame = {0, 0};
-  Mat38 gradients = Mat38::Zero();
+  cell.x0_E = corners.colwise() - corners.col(0);
+  cell.gradients_E = Mat38::Zero();
   for (const CellTissue& t : tissue) {
     cell.volume += t.moments.volume();
     cell.lame.lambda += t.moments.volume() * t.lame.lambda;
     cell.lame.mu += t.moments.volume() * t.lame.mu;
-    for (const BoxPoint& point : boxPoints(t.moments)) gradients += point.weight * shapeGradients(point.xi, box.edges);
   }
-  if (!(box.edges.minCoeff() > 0) || !(cell.volume > 0))
+  const Mat3 J = cell.x0_E * shapeDerivatives({0, 0, 0}).transpose();
+  if (!(J.determinant() > 0) || !(cell.volume > 0))
     return Error{Fault::BadElement, {}, {std::to_string(cell.volume)}, "a cell without edges or tissue"};
+  for (const CellTissue& t : tissue)
+    for (const BoxPoint& point : boxPoints(t.moments)) cell.gradients_E += point.weight / cell.volume * shapeGradients(point.xi, cell.x0_E);
   cell.lame = {cell.lame.lambda / cell.volume, cell.lame.mu / cell.volume};
-  cell.lameLow = tissue.size() == 1 ? tissue[0].lame : meanCompliance(tissue, cell.volume);
-  cell.gradients_E = box.axes * gradients / cell.volume;
-  const Mat38 corners = cornersOf(box);
-  cell.x0_E = corners.colwise() - corners.col(0);
   CellModes inside;
-  const Mat24 K = condensedStiffness(box.edges, tissue, inside);
-  inside.axes = box.axes;
+  inside.corners_E = cell.x0_E;
+  const Mat24 K = condensedStiffness(tissue, inside);
   if (modes) *modes = inside;
-  Mat24 turn = Mat24::Zero();
-  for (int i = 0; i < 8; ++i) turn.block<3, 3>(3 * i, 3 * i) = box.axes;
-  const Mat24 turned = turn * K * turn.transpose();
-  cell.K_E = 0.5 * (turned + turned.transpose());
+  cell.K_E = 0.5 * (K + K.transpose());
   return cell;
 }
 

@@ -24,7 +24,7 @@ struct CellTissue {
 /// nine incompatible modes (1 − ξ_a²) e_k condensed inside it, so that a band thinner than the cell, or a bar one cell
 /// thick, bends as it should. The modes' strains have their mean over the tissue removed: a constant stress does no work
 /// in them, and the patch test holds. Right for small strains and any rotation; a cell that is flat or inside out is
-/// pushed back. Not for cells that are no boxes at rest.
+/// pushed back. Cells are boxes at rest, or boxes sheared along one of their directions.
 /// Energy ½ uᵀ K u with u = Rᵀ x − x0, R the rotation nearest to F = Σ x_i g_iᵀ, g_i the shape functions' gradients in the
 /// mean over the tissue. Frames: W world, E element at rest (its axes are those of the world). SI units.
 /// Sources: Wilson, Taylor, Doherty, Ghaboussi 1973 (modes); Taylor, Beresford, Wilson, Int. J. Numer. Methods Eng. 10,
@@ -42,8 +42,12 @@ struct CorotCell {
 };
 
 struct CellModes;
-/// Fails with BadElement when an edge or the tissue's volume is not positive. `modes`: what was condensed, if wanted.
-Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue, CellModes* modes = nullptr);
+/// `corners` at rest as columns, m: of a box, or of cells that follow a band (embed/BandShape.h), by the bits of their place.
+/// Tissue in the cell's own coordinates. Fails with BadElement when the cell or its tissue has no volume. `modes`: what was
+/// condensed, if wanted. The 27 moments integrate the shape functions' gradients exactly where opposite edges of one
+/// direction are parallel and of one length, as with cells sheared along it, so the patch test holds there, too.
+Result<CorotCell> makeCorotCell(const Mat38& corners, std::span<const CellTissue> tissue, CellModes* modes = nullptr);
+inline Result<CorotCell> makeCorotCell(const CellBox& box, std::span<const CellTissue> tissue) { return makeCorotCell(cornersOf(box), tissue); }
 
 /// ∫ N Nᵀ over the tissue, m³: times density the consistent mass of the corners.
 Mat8 cellMassShape(const BoxMoments& moments);

@@ -25,7 +25,7 @@ PartRecipe toPartRecipe(const JsonValue& json) {
   part.tetrahedra = static_cast<int>(json["tetrahedra"].integer());
   part.cellSize = json["cellSize"].number();
   part.elements = scene_words::valueOf(scene_words::kElements, json["elements"].text(), part.elements);
-  part.axes = json["axes"].text() == "principal" ? GridAxes::Principal : GridAxes::World;
+  part.axes = json["axes"].text() == "band" ? GridAxes::Band : json["axes"].text() == "principal" ? GridAxes::Principal : GridAxes::World;
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
   part.landmarks = vectorOf(json["landmarks"], toLandmark);
