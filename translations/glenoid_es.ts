@@ -2823,6 +2823,10 @@
         <source>Switch on contact between “%1” and “%2”</source>
         <translation>Activar el contacto entre «%1» y «%2»</translation>
     </message>
+    <message>
+        <source>Change the elements of “%1”</source>
+        <translation>Cambiar los elementos de «%1»</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PartMovement</name>
@@ -3457,6 +3461,26 @@
     <message>
         <source>moving at up to %1 mm/s</source>
         <translation>en movimiento, a %1 mm/s como máximo</translation>
+    </message>
+    <message>
+        <source>Elements:</source>
+        <translation>Elementos:</translation>
+    </message>
+    <message>
+        <source>Elements of the part</source>
+        <translation>Elementos de la pieza</translation>
+    </message>
+    <message>
+        <source>Five tetrahedra in each cell, or whole cells, which bend where the tissue is thinner than a cell</source>
+        <translation>Cinco tetraedros en cada celda, o celdas enteras, que se doblan donde el tejido es más delgado que una celda</translation>
+    </message>
+    <message>
+        <source>tetrahedra</source>
+        <translation>tetraedros</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>celdas</translation>
     </message>
 </context>
 <context>
