@@ -87,9 +87,10 @@ Region regionIn(const Part& part, const std::string& id, const Box3& box) {
   return {id, id, "footprint", SurfaceKind::Visual, runsOf(triangles)};
 }
 
-Elements wishedElements() {
+std::optional<Elements> wishedElements() {
   const char* wish = std::getenv("GLENOID_ELEMENTS");
-  return wish && std::string(wish) == "cells" ? Elements::Cells : Elements::Tetrahedra;
+  if (!wish || std::string(wish) != "cells") return std::nullopt;
+  return Elements::Cells;
 }
 
 void addMaterials(Joint& joint) {

@@ -18,9 +18,9 @@ Part boxPart(const std::string& id, int number, PartKind kind, const Vec3& low, 
 /// Region of all visual triangles whose centroid lies in a box.
 Region regionIn(const Part& part, const std::string& id, const Box3& box);
 
-/// Elements of the soft parts of all these scenes: tetrahedra, or cells where the environment asks for them
+/// Elements that the scenarios of all these scenes ask for: none, or cells where the environment says so
 /// (GLENOID_ELEMENTS=cells), by which a test is run again with those.
-Elements wishedElements();
+std::optional<Elements> wishedElements();
 
 /// Adds materials "bone" (2000 kg/m³) and "tissue" (1000 kg/m³, 50 kPa, ν 0.4, β 1e-3 s).
 void addMaterials(Joint& joint);

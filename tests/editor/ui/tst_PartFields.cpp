@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the properties panel says of a part and changes in it.
+#include <QComboBox>
+
+#include "tests/editor/ui/GuiTest.h"
+
+namespace glenoid {
+namespace {
+
+class PartFieldsWindow : public GuiTest {
+ protected:
+  const Part& part(const char* id) const { return document.joint().parts[findPart(document.joint(), id)]; }
+  bool runsAsCells() const {
+    for (const SceneObject& object : snapshot().model->objects)
+      if (object.id == "block") return object.cells;
+    return false;
+  }
+};
+
+TEST_F(PartFieldsWindow, elementsOfASoftPartAreChosenWithUndoAndTheRunTakesThemUp) {
+  selection.select("plate");
+  EXPECT_EQ(window->findChild<QComboBox*>(QStringLiteral("elements")), nullptr) << "it is rigid";
+  selection.select("block");
+  auto* box = child<QComboBox>("elements");
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->currentText(), QStringLiteral("tetrahedra"));
+  EXPECT_FALSE(runsAsCells());
+  box->setFocus();
+  QTest::keyClick(box, Qt::Key_Down);
+  EXPECT_EQ(part("block").elements, Elements::Cells);
+  ASSERT_TRUE(until([this] { return runsAsCells(); })) << "the run goes on with cells";
+  EXPECT_EQ(document.undoStack().count(), 1);
+  action("undo")->trigger();
+  EXPECT_EQ(part("block").elements, Elements::Tetrahedra);
+  ASSERT_TRUE(until([this] { return !runsAsCells(); }));
+  EXPECT_EQ(child<QComboBox>("elements")->currentText(), QStringLiteral("tetrahedra")) << "the field follows";
+}
+
+}  // namespace
+}  // namespace glenoid
