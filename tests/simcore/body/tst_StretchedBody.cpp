@@ -106,7 +106,10 @@ TEST(StretchedBody, fourAtATimePortableAndSinglyAreTheSame) {
       settings.stretchLaw = false;
       body.state.rotations = guess;
       body.assemble(settings, linear, bLinear);
-      EXPECT_GT((bVectors - bLinear).norm(), 0.05 * bLinear.norm()) << "the law is in force";
+      // Crushed all over it is beyond what the law holds, and linear again (lawRange).
+      if (F.colwise().norm().maxCoeff() > 1.6) {
+        EXPECT_GT((bVectors - bLinear).norm(), 0.05 * bLinear.norm()) << "the law is in force";
+      }
     }
 }
 
