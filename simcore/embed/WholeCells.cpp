@@ -180,8 +180,17 @@ CellMesh cellsOf(const CellGrouping& grouping, const TriMesh& closed) {
   return fewer.boxes.empty() || piecesOf(fewer) > piecesOf(whole) ? whole : fewer;
 }
 
-/// How nearly the flat surface encloses what the bent one does, of the band's length.
-constexpr double kFlatness = 1e-6;
+/// How nearly the flat surface's edges are the images of the bent one's, of the band's length. Both sides of a band leave
+/// them alike, so of its volume hardly anything is lost; what is, is shared out evenly.
+constexpr double kFlatness = 1e-4;
+
+void scaleTo(double volume, std::vector<BoxMoments>& tissue) {
+  double sum = 0;
+  for (const BoxMoments& moments : tissue) sum += moments.volume();
+  if (!(sum > 0) || !(volume > 0)) return;
+  for (BoxMoments& moments : tissue)
+    for (double& value : moments.value) value *= volume / sum;
+}
 
 }  // namespace
 
@@ -195,6 +204,7 @@ Result<CellMesh> wholeCells(const TetMesh& cut, const TriMesh& closed) {
   const Result<CellGrouping> along = groupIntoCells(flat);
   if (!along) return grouping.error();
   CellMesh cells = cellsOf(*along, flattened(band, closed, kFlatness * band.length));
+  scaleTo(enclosedVolume(closed), cells.tissue);
   for (Vec3& node : cells.mesh.nodes) node = band.bent(node);
   cells.band = band;
   return cells;
