@@ -99,7 +99,7 @@ Result<std::unique_ptr<SoftObject>> CellObject::make(const ObjectLayout& layout,
     const CellContent content = contentOf(&cells.tissue[5 * c], &tissue[5 * c], whole);
     CellModes modes;
     Mat38 corners;
-    for (int i = 0; i < 8; ++i) corners.col(i) = cells.mesh.nodes[cells.corners[c][i]];
+    for (int i = 0; i < 8; ++i) corners.col(i) = soft->mesh().nodes[cells.corners[c][i]];
     Result<CorotCell> cell = makeCorotCell(corners, content.tissue, &modes);
     if (!cell) {
       cell.error().place.element = static_cast<long>(5 * c);
@@ -200,13 +200,21 @@ LawRange CellObject::rangeOf(std::span<const int> elements, const VecX& q) const
   return lawRange(notSound, rotationCount());
 }
 
-void CellObject::addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q,
+void CellObject::addStretchLaw(std::vector<int>& elements, const StepSettings& settings, const VecX& q,
                               std::span<const BlockEntry> entries, const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
-  const LawRange range = rangeOf(elements, q);
+  const auto rotationAt = [&](int e) { return Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix(); };
+  int notSound = 0;
+  std::erase_if(elements, [&](int e) {
+    const Mat3 F = deformationGradient(m_cells[e], cornersAt(e, q)), U = rotationAt(e).transpose() * F;
+    if (plainlySound(m_cells[e].lameLow, 0.5 * (U + U.transpose()))) return true;
+    notSound += tissueState(m_cells[e].lameLow, F, true) != TissueState::Sound;
+    return false;
+  });
+  const LawRange range = lawRange(notSound, rotationCount());
   if (range == LawRange::Linear) return;
   for (const int e : elements) {
     const auto& element = m_cells[e];
-    const Mat3 R_WE = Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix();
+    const Mat3 R_WE = rotationAt(e);
     if (const auto more = stretchCorrection(element.lameLow, element.lame, deformationGradient(element, cornersAt(e, q)), R_WE, range == LawRange::Whole))
       addStretchCorrection<8>(*more, element.volume, settings, R_WE, element.gradients_E, kPairs, m_corners[e].data(), &entries[kCellBlocks * e], A, b);
   }

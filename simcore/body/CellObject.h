@@ -36,7 +36,7 @@ class CellObject : public SoftObject {
   void buildPacks();
   /// As for tetrahedra.
   LawRange rangeOf(std::span<const int> cells, const VecX& q) const;
-  void addStretchLaw(std::span<const int> cells, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
+  void addStretchLaw(std::vector<int>& cells, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
                      const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const;
   /// One cell by CorotCell: where a lane did not settle, and for the reference.
   void assembleCell(int cell, const StepSettings& settings, const VecX& q, const BlockEntry* entries, Eigen::Map<Quat> rotation,

@@ -128,13 +128,21 @@ LawRange TetObject::rangeOf(std::span<const int> elements, const VecX& q) const 
   return lawRange(notSound, elementCount());
 }
 
-void TetObject::addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q,
+void TetObject::addStretchLaw(std::vector<int>& elements, const StepSettings& settings, const VecX& q,
                               std::span<const BlockEntry> entries, const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
-  const LawRange range = rangeOf(elements, q);
+  const auto rotationAt = [&](int e) { return Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix(); };
+  int notSound = 0;
+  std::erase_if(elements, [&](int e) {
+    const Mat3 F = deformationGradient(m_elements[e], nodesOf(e, q)), U = rotationAt(e).transpose() * F;
+    if (plainlySound(m_elements[e].lame, 0.5 * (U + U.transpose()))) return true;
+    notSound += tissueState(m_elements[e].lame, F, true) != TissueState::Sound;
+    return false;
+  });
+  const LawRange range = lawRange(notSound, elementCount());
   if (range == LawRange::Linear) return;
   for (const int e : elements) {
     const auto& element = m_elements[e];
-    const Mat3 R_WE = Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix();
+    const Mat3 R_WE = rotationAt(e);
     if (const auto more = stretchCorrection(element.lame, element.lame, deformationGradient(element, nodesOf(e, q)), R_WE, range == LawRange::Whole))
       addStretchCorrection<4>(*more, element.volume, settings, R_WE, element.gradients_E, kPairs, mesh().tets[e].data(), &entries[10 * e], A, b);
   }

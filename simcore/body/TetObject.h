@@ -32,7 +32,7 @@ class TetObject : public SoftObject {
   /// How much of the stretch law holds, where all elements but these are near rest.
   LawRange rangeOf(std::span<const int> elements, const VecX& q) const;
   /// What elements that may be far from rest have besides, with their rotations found.
-  void addStretchLaw(std::span<const int> elements, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
+  void addStretchLaw(std::vector<int>& elements, const StepSettings& settings, const VecX& q, std::span<const BlockEntry> entries,
                      const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const;
   /// One element by CorotTet: where a lane did not settle, and for the reference.
   void assembleElement(int element, const StepSettings& settings, const VecX& q, const BlockEntry* entries,

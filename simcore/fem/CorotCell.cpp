@@ -119,6 +119,7 @@ Result<CorotCell> makeCorotCell(const Mat38& corners, std::span<const CellTissue
   for (const CellTissue& t : tissue)
     for (const BoxPoint& point : boxPoints(t.moments)) cell.gradients_E += point.weight / cell.volume * shapeGradients(point.xi, cell.x0_E);
   cell.lame = {cell.lame.lambda / cell.volume, cell.lame.mu / cell.volume};
+  cell.lameLow = tissue.size() == 1 ? tissue[0].lame : meanCompliance(tissue, cell.volume);
   CellModes inside;
   inside.corners_E = cell.x0_E;
   const Mat24 K = condensedStiffness(tissue, inside);

@@ -150,6 +150,13 @@ LawRange lawRange(int notSound, int elements) {
   return notSound > kHundredth * elements ? LawRange::TensionOnly : LawRange::Whole;
 }
 
+bool plainlySound(const Lame& lame, const Mat3& S) {
+  if (!isLinearRange(S)) return false;
+  Mat3 above = 2 * lame.mu * S;  // the stress and kPressMost E: positive definite, by its leading minors
+  above.diagonal().array() += lame.lambda * (S.trace() - 3) - 2 * lame.mu + stretch_law::kPressMost * youngsModulusOf(lame);
+  return above(0, 0) > 0 && above(0, 0) * above(1, 1) > above(0, 1) * above(0, 1) && above.determinant() > 0;
+}
+
 TissueState tissueState(const Lame& lame, const Mat3& F, bool stretchLaw) {
   if (F.determinant() <= 0) return TissueState::InsideOut;
   const Mat3 C = F.transpose() * F;

@@ -70,6 +70,10 @@ std::optional<StretchCorrection> stretchCorrection(const Lame& law, const Lame& 
 enum class LawRange { Whole, TensionOnly, Linear };
 LawRange lawRange(int notSound, int elements);
 
+/// Whether neither what follows nor stretchCorrection has anything to say of an element, without its principal stretches: all
+/// of them lie in the linear range, and no principal stress is −kPressMost E or below. S = sym(RᵀF).
+bool plainlySound(const Lame& lame, const Mat3& S);
+
 /// How an element fares, from F alone.
 enum class TissueState { Sound, Pressed, InsideOut };
 /// InsideOut: det F ≤ 0. Pressed: a principal stress of −kPressMost E or below, by this law or by the linear one alone.
