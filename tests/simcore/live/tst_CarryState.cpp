@@ -46,7 +46,7 @@ std::vector<double> numbersOf(const Model& model, const State& state, const std:
   std::vector<double> numbers;
   int rotation = 0;
   for (const SceneObject& object : model.objects) {
-    const int rotations = object.volume ? 4 * static_cast<int>(object.volume->tets.size()) : 0;
+    const int rotations = 4 * object.elements;
     if (object.id == id && object.tool == tool) {
       const ObjectLayout& l = object.layout;
       numbers.insert(numbers.end(), &state.q[l.qOffset], &state.q[l.qOffset] + l.qSize);
