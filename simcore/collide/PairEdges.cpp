@@ -54,7 +54,25 @@ bool PairSearch::facesAlong(const Side& side, int e, const Vec3& n) const {
   return true;
 }
 
-void PairSearch::edgeNearEdge(int ea, int eb) {
+/// Whether past its end at a vertex the edge's surface rises over the plane with the unit normal n that touches it along the
+/// edge: a valley across the edge, in which two features bound what slides along it.
+bool PairSearch::risesBeyond(const Side& side, int e, int end, const Vec3& n) const {
+  const MovingSurface& surface = *side.surface;
+  const CollisionSurface& s = surface.topology();
+  const int v = s.edges[e].vertices[end];
+  const Vec3 out = surface.x(v) - surface.x(s.edges[e].vertices[1 - end]);
+  for (const int other : s.edgesOf(v)) {
+    if (!side.owners->edgeTakesPart[other]) continue;
+    const auto& ends = s.edges[other].vertices;
+    const Vec3 way = surface.x(ends[0] == v ? ends[1] : ends[0]) - surface.x(v);
+    if (way.dot(out) <= 0) continue;
+    const double above = n.dot(way);
+    if (above > 0 && above * above > kWidened * kWidened * way.squaredNorm()) return true;
+  }
+  return false;
+}
+
+void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
   ++m_counts->edgeEdge;
   MovingSurface &a = *m_a.surface, &b = *m_b.surface;
   const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
@@ -66,8 +84,11 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   const double furthest = std::max(m_settings.contactDistance + m_ahead, m_edgeDepth);
   const double offset = n.dot(between);
   if (offset * offset > furthest * furthest * n2) return;
-  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);  // times n2
-  if (!(s > 0 && s < n2 && t > 0 && t < n2)) return;
+  const double sAll = between.cross(db).dot(n) / n2, tAll = between.cross(da).dot(n) / n2;
+  const double s = std::clamp(sAll, 0.0, 1.0), t = std::clamp(tAll, 0.0, 1.0);
+  const bool within = sAll > 0 && sAll < 1 && tAll > 0 && tAll < 1;
+  const double past2 = std::max((sAll - s) * (sAll - s) * da.squaredNorm(), (tAll - t) * (tAll - t) * db.squaredNorm());
+  if (!within && !(past2 <= reach * reach)) return;
 
   // n from b to a, by the side of the edges on which their faces lie.
   const bool dentableB = b.bend(eb) == MovingSurface::Bend::Dentable;
@@ -75,12 +96,21 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
   const double gap = -n.dot(between);
   if (gap < -m_edgeDepth) return;
-  if (!facesAlong(m_b, eb, n) || !facesAlong(m_a, ea, -n)) return;
-
   Proximity contact;
   contact.pair = m_settings.pair;
-  contact.a = edgePoint(edgeA, s / n2);
-  contact.b = edgePoint(edgeB, t / n2);
+  contact.a = edgePoint(edgeA, s);
+  contact.b = edgePoint(edgeB, t);
+  if (!within) {
+    double slide = std::max(m_touching, -gap);
+    for (int motion = 0; motion < m_settings.motionCount; ++motion)
+      slide = std::max(slide, m_settings.dt * (velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b)).norm());
+    slide = std::min(slide, m_settings.contactDistance + m_ahead);
+    if (past2 > slide * slide) return;
+    if ((s == 0 || s == 1) && !risesBeyond(m_a, ea, s > 0, -n)) return;
+    if ((t == 0 || t == 1) && !risesBeyond(m_b, eb, t > 0, n)) return;
+  }
+  if (!facesAlong(m_b, eb, n) || !facesAlong(m_a, ea, -n)) return;
+
   contact.normal_W = n;
   contact.gap = gap;
   if (!near(gap, n, a, contact.a, b, contact.b)) return;
@@ -91,8 +121,8 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
     const double least = -kWedge * gap;
     if (!inA && !inB) return;
-    if (inB && !inDepth(m_b, a0 + s / n2 * da, least)) return;
-    if (inA && !inDepth(m_a, b0 + t / n2 * db, least)) return;
+    if (inB && !inDepth(m_b, a0 + s * da, least)) return;
+    if (inA && !inDepth(m_a, b0 + t * db, least)) return;
   }
   contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
   m_next.resize(m_out->size() + 1);

@@ -72,7 +72,9 @@ class PairSearch {
   double leavesCone(Side& mine, int vertex, const Vec3& outward);
 
   // PairEdges.cpp
-  void edgeNearEdge(int ea, int eb);
+  bool risesBeyond(const Side& side, int e, int end, const Vec3& n) const;
+  /// `reach`: how near their triangles come within the step, m.
+  void edgeNearEdge(int ea, int eb, double reach);
   bool facesAlong(const Side& side, int e, const Vec3& n) const;
   bool inDepth(Side& side, const Vec3& p, double depth);
 
