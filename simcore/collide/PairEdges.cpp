@@ -72,7 +72,7 @@ bool PairSearch::risesBeyond(const Side& side, int e, int end, const Vec3& n) co
   return false;
 }
 
-void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
+void PairSearch::edgeNearEdge(int ea, int eb) {
   ++m_counts->edgeEdge;
   MovingSurface &a = *m_a.surface, &b = *m_b.surface;
   const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
@@ -84,11 +84,13 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
   const double furthest = std::max(m_settings.contactDistance + m_ahead, m_edgeDepth);
   const double offset = n.dot(between);
   if (offset * offset > furthest * furthest * n2) return;
-  const double sAll = between.cross(db).dot(n) / n2, tAll = between.cross(da).dot(n) / n2;
-  const double s = std::clamp(sAll, 0.0, 1.0), t = std::clamp(tAll, 0.0, 1.0);
-  const bool within = sAll > 0 && sAll < 1 && tAll > 0 && tAll < 1;
-  const double past2 = std::max((sAll - s) * (sAll - s) * da.squaredNorm(), (tAll - t) * (tAll - t) * db.squaredNorm());
-  if (!within && !(past2 <= reach * reach)) return;
+  // Times n2. Most pairs end here.
+  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);
+  const double pastA = std::max({-s, s - n2, 0.0}), pastB = std::max({-t, t - n2, 0.0});
+  const double past = std::max(pastA * pastA * da.squaredNorm(), pastB * pastB * db.squaredNorm());
+  const double slideMost = m_settings.contactDistance;
+  if (past > slideMost * slideMost * n2 * n2) return;
+  const bool within = s > 0 && s < n2 && t > 0 && t < n2;
 
   // n from b to a, by the side of the edges on which their faces lie.
   const bool dentableB = b.bend(eb) == MovingSurface::Bend::Dentable;
@@ -96,21 +98,23 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
   if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
   const double gap = -n.dot(between);
   if (gap < -m_edgeDepth) return;
-  Proximity contact;
-  contact.pair = m_settings.pair;
-  contact.a = edgePoint(edgeA, s);
-  contact.b = edgePoint(edgeB, t);
-  if (!within) {
-    double slide = std::max(m_touching, -gap);
-    for (int motion = 0; motion < m_settings.motionCount; ++motion)
-      slide = std::max(slide, m_settings.dt * (velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b)).norm());
-    slide = std::min(slide, m_settings.contactDistance + m_ahead);
-    if (past2 > slide * slide) return;
-    if ((s == 0 || s == 1) && !risesBeyond(m_a, ea, s > 0, -n)) return;
-    if ((t == 0 || t == 1) && !risesBeyond(m_b, eb, t > 0, n)) return;
-  }
   if (!facesAlong(m_b, eb, n) || !facesAlong(m_a, ea, -n)) return;
 
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  const double onA = std::clamp(s / n2, 0.0, 1.0), onB = std::clamp(t / n2, 0.0, 1.0);
+  contact.a = edgePoint(edgeA, onA);
+  contact.b = edgePoint(edgeB, onB);
+  if (!within) {
+    double slide = std::max(m_touching, -gap);
+    for (int motion = 0; motion < m_settings.motionCount; ++motion) {
+      const Vec3 way = velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b);
+      slide = std::max(slide, m_settings.dt * (way - way.dot(n) * n).norm());
+    }
+    if (past > slide * slide * n2 * n2) return;
+    if (!(s > 0 && s < n2) && !risesBeyond(m_a, ea, s > 0, -n)) return;
+    if (!(t > 0 && t < n2) && !risesBeyond(m_b, eb, t > 0, n)) return;
+  }
   contact.normal_W = n;
   contact.gap = gap;
   if (!near(gap, n, a, contact.a, b, contact.b)) return;
@@ -121,8 +125,8 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
     const double least = -kWedge * gap;
     if (!inA && !inB) return;
-    if (inB && !inDepth(m_b, a0 + s * da, least)) return;
-    if (inA && !inDepth(m_a, b0 + t * db, least)) return;
+    if (inB && !inDepth(m_b, a0 + onA * da, least)) return;
+    if (inA && !inDepth(m_a, b0 + onB * db, least)) return;
   }
   contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
   m_next.resize(m_out->size() + 1);

@@ -73,8 +73,7 @@ class PairSearch {
 
   // PairEdges.cpp
   bool risesBeyond(const Side& side, int e, int end, const Vec3& n) const;
-  /// `reach`: how near their triangles come within the step, m.
-  void edgeNearEdge(int ea, int eb, double reach);
+  void edgeNearEdge(int ea, int eb);
   bool facesAlong(const Side& side, int e, const Vec3& n) const;
   bool inDepth(Side& side, const Vec3& p, double depth);
 
