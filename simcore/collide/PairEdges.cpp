@@ -54,22 +54,22 @@ bool PairSearch::facesAlong(const Side& side, int e, const Vec3& n) const {
   return true;
 }
 
-/// Whether past its end at a vertex the edge's surface rises over the plane with the unit normal n that touches it along the
-/// edge: a valley across the edge, in which two features bound what slides along it.
-bool PairSearch::risesBeyond(const Side& side, int e, int end, const Vec3& n) const {
+/// Sine of the angle by which past an edge's end, at a vertex, its surface rises over the plane with the unit normal n that touches
+/// it along the edge; 0 where it does not rise by more than bumps do. Where it does, two features bound what slides there.
+double PairSearch::riseBeyond(const Side& side, int e, int end, const Vec3& n) const {
   const MovingSurface& surface = *side.surface;
   const CollisionSurface& s = surface.topology();
   const int v = s.edges[e].vertices[end];
   const Vec3 out = surface.x(v) - surface.x(s.edges[e].vertices[1 - end]);
+  double steepest = kWidened;
   for (const int other : s.edgesOf(v)) {
     if (!side.owners->edgeTakesPart[other]) continue;
     const auto& ends = s.edges[other].vertices;
     const Vec3 way = surface.x(ends[0] == v ? ends[1] : ends[0]) - surface.x(v);
-    if (way.dot(out) <= 0) continue;
-    const double above = n.dot(way);
-    if (above > 0 && above * above > kWidened * kWidened * way.squaredNorm()) return true;
+    const double length = way.norm();
+    if (way.dot(out) > 0 && n.dot(way) > steepest * length) steepest = n.dot(way) / length;
   }
-  return false;
+  return steepest > kWidened ? steepest : 0;
 }
 
 void PairSearch::edgeNearEdge(int ea, int eb) {
@@ -106,14 +106,17 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   contact.a = edgePoint(edgeA, onA);
   contact.b = edgePoint(edgeB, onB);
   if (!within) {
-    double slide = std::max(m_touching, -gap);
+    double slide = std::max(m_touching, -gap), closing = 0;
     for (int motion = 0; motion < m_settings.motionCount; ++motion) {
-      const Vec3 way = velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b);
-      slide = std::max(slide, m_settings.dt * (way - way.dot(n) * n).norm());
+      const Vec3 way = m_settings.dt * (velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b));
+      slide = std::max(slide, (way - way.dot(n) * n).norm());
+      closing = std::max(closing, -way.dot(n));
     }
     if (past > slide * slide * n2 * n2) return;
-    if (!(s > 0 && s < n2) && !risesBeyond(m_a, ea, s > 0, -n)) return;
-    if (!(t > 0 && t < n2) && !risesBeyond(m_b, eb, t > 0, n)) return;
+    // Sliding brings them nearer to the plane by the sine of what rises at most.
+    const auto reaches = [&](double rise) { return rise > 0 && gap - closing < slide * rise; };
+    if (!(s > 0 && s < n2) && !reaches(riseBeyond(m_a, ea, s > 0, -n))) return;
+    if (!(t > 0 && t < n2) && !reaches(riseBeyond(m_b, eb, t > 0, n))) return;
   }
   contact.normal_W = n;
   contact.gap = gap;

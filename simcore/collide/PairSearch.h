@@ -72,7 +72,7 @@ class PairSearch {
   double leavesCone(Side& mine, int vertex, const Vec3& outward);
 
   // PairEdges.cpp
-  bool risesBeyond(const Side& side, int e, int end, const Vec3& n) const;
+  double riseBeyond(const Side& side, int e, int end, const Vec3& n) const;
   void edgeNearEdge(int ea, int eb);
   bool facesAlong(const Side& side, int e, const Vec3& n) const;
   bool inDepth(Side& side, const Vec3& p, double depth);

@@ -76,14 +76,15 @@ struct Mesh {
     return most;
   }
 
-  /// Whether an edge that leaves a vertex forwards rises over the plane with the normal n.
-  bool dips(int vertex, const Vec3& forwards, const Vec3& n) const {
+  /// Sine of the steepest edge that leaves a vertex forwards and over the plane with the normal n; 0: none does.
+  double dips(int vertex, const Vec3& forwards, const Vec3& n) const {
+    double most = 0;
     for (const auto& [edge, triangles] : edges) {
       if (edge[0] != vertex && edge[1] != vertex) continue;
       const Vec3 way = (x(edge[0] == vertex ? edge[1] : edge[0]) - x(vertex)).normalized();
-      if (way.dot(forwards) > 0 && way.dot(n) > 0.03) return true;
+      if (way.dot(forwards) > 0 && way.dot(n) > 0.03) most = std::max(most, way.dot(n));
     }
-    return false;
+    return most;
   }
   /// The two faces rise from the edge toward each other.
   bool valley(const std::array<int, 2>& edge) const {
@@ -289,9 +290,11 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
         const double gap = n.dot(pa - pb);
         if (gap >= contactDistance || gap < -edgeDepth) continue;
         // Beyond an end only where the line of edges dips there.
-        if (past > std::min(contactDistance, std::max(1e-4 * contactDistance, -gap))) continue;
-        if (st[0] != on[0] && !a.dips(on[0] > 0 ? ea[1] : ea[0], on[0] > 0 ? da : Vec3(-da), -n)) continue;
-        if (st[1] != on[1] && !b.dips(on[1] > 0 ? eb[1] : eb[0], on[1] > 0 ? db : Vec3(-db), n)) continue;
+        const double slide = std::max(1e-4 * contactDistance, -gap);
+        if (past > std::min(contactDistance, slide)) continue;
+        const auto reached = [&](double rise) { return rise > 0 && gap < slide * rise; };
+        if (st[0] != on[0] && !reached(a.dips(on[0] > 0 ? ea[1] : ea[0], on[0] > 0 ? da : Vec3(-da), -n))) continue;
+        if (st[1] != on[1] && !reached(b.dips(on[1] > 0 ? eb[1] : eb[0], on[1] > 0 ? db : Vec3(-db), n))) continue;
         if (!under(b, eb, tb, bendB, n) || !under(a, ea, ta, bendA, -n)) continue;
         if (gap < 0) {
           const bool inA = steepest(a, ta, -n) > 0.4, inB = steepest(b, tb, n) > 0.4;
