@@ -49,9 +49,19 @@ const FieldRange& SteadyRange::follow(Quantity quantity, double reach) {
 
 std::vector<double> ticksIn(const FieldRange& range, int most) {
   constexpr double kSteps[] = {1, 2, 2.5, 5};
+  constexpr double kMore[] = {1, 4};
   std::vector<double> ticks;
   if (!(range.high > range.low) || most < 1 || !std::isfinite(range.high - range.low)) return ticks;
-  const double step = roundUp((range.high - range.low) / most, kSteps);
+  const double span = range.high - range.low, least = roundUp(span / most, kSteps);
+  const auto endsOn = [&](double step) {
+    const auto whole = [step](double x) { return std::abs(x / step - std::round(x / step)) < 1e-9; };
+    return whole(range.low) && whole(range.high);
+  };
+  double step = 0;
+  for (const std::span<const double> steps : {std::span<const double>(kSteps), std::span<const double>(kMore)})
+    for (double next = roundUp(span / most, steps); step == 0 && next <= span / 2; next = roundUp(1.001 * next, steps))
+      if (endsOn(next)) step = next;
+  if (step == 0) step = least;
   const double slack = 1e-9 * step;
   for (double n = std::ceil((range.low - slack) / step); n * step <= range.high + slack; ++n) ticks.push_back(n == 0 ? 0 : n * step);
   return ticks;

@@ -34,7 +34,8 @@ class SteadyRange {
   Quantity m_quantity = Quantity::Stress;
 };
 
-/// Round values within a range, from its low to its high end, at most `most` + 1: steps of 1, 2, 2.5 or 5 times a power of ten.
-std::vector<double> ticksIn(const FieldRange& range, int most = 5);
+/// Round values within a range, ascending, at most `most` + 1: steps of 1, 2, 2.5, 4 or 5 times a power of ten. Both ends are
+/// among them where a step allows it, as with the ends of rangeFor.
+std::vector<double> ticksIn(const FieldRange& range, int most = 6);
 
 }  // namespace glenoid

@@ -50,7 +50,9 @@ TEST(FieldRange, anAutomaticScaleStaysWhileValuesMoveALittle) {
 }
 
 TEST(FieldRange, ticksAreRoundAndWithin) {
-  EXPECT_EQ(ticksIn({0, 30}), (std::vector<double>{0, 10, 20, 30}));
+  EXPECT_EQ(ticksIn({0, 30}), (std::vector<double>{0, 5, 10, 15, 20, 25, 30}));
+  EXPECT_EQ(ticksIn({0, 20}), (std::vector<double>{0, 5, 10, 15, 20}));
+  EXPECT_EQ(ticksIn({-8, 8}), (std::vector<double>{-8, -4, 0, 4, 8}));
   EXPECT_EQ(ticksIn({-1000, 1000}), (std::vector<double>{-1000, -500, 0, 500, 1000}));
   const std::vector<double> odd = ticksIn({0.013, 0.047});
   ASSERT_GE(odd.size(), 3u);
@@ -58,9 +60,16 @@ TEST(FieldRange, ticksAreRoundAndWithin) {
   for (double high = 0.01; high < 1e6; high *= 1.31) {
     const auto ticks = ticksIn({0, high});
     EXPECT_GE(ticks.size(), 3u) << high;
-    EXPECT_LE(ticks.size(), 6u) << high;
+    EXPECT_LE(ticks.size(), 7u) << high;
     EXPECT_LE(ticks.back(), high * (1 + 1e-8));
   }
+  for (double reach = 1e-3; reach < 1e6; reach *= 1.17)
+    for (const Quantity quantity : {Quantity::Stress, Quantity::Pressure}) {
+      const FieldRange range = rangeFor(quantity, reach);
+      const auto ticks = ticksIn(range);
+      EXPECT_NEAR(ticks.front(), range.low, 1e-9 * range.high) << range.high;
+      EXPECT_NEAR(ticks.back(), range.high, 1e-9 * range.high);
+    }
   EXPECT_TRUE(ticksIn({1, 1}).empty());
   EXPECT_TRUE(ticksIn({0, INFINITY}).empty());
 }
