@@ -77,9 +77,12 @@ Result<TraceWishes> traceWishes(const Wishes& wishes) {
 }
 
 /// What was asked to be read off the end of the run.
-Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunResult& result, const std::optional<Trace>& trace) {
+Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunResult& result, const std::optional<Trace>& trace,
+                          bool stretchLaw) {
   if (!wishes.state.empty()) {
-    const JsonValue state = toJson(readScene(model, result.state, result.contacts), wishes.scenario);
+    SceneReading reading = readScene(model, result.state, result.contacts);
+    addPeaks(model, result.state, result.contacts, stretchLaw, reading);
+    const JsonValue state = toJson(reading, wishes.scenario);
     if (const auto saved = writeJson(wishes.state, state); !saved) return saved;
   }
   if (!wishes.vtu.empty()) {
@@ -141,17 +144,18 @@ Result<Done> run(const Wishes& wishes) {
   Result<RunResult> result = runScenario(*model, options);
   if (!result) return result.error();
   result->report.scenario = wishes.scenario;
+  const bool stretchLaw = scene->scenario.profile != Profile::Paper || options.stepper.paper.stretchLaw;
   if (result->recording) result->recording->scenario = wishes.scenario;
 
   if (result->recording)
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
     if (const auto saved = saveOutcome(result->report, wishes.report); !saved) return saved.error();
-  if (const auto saved = saveReadings(wishes, **model, *result, trace); !saved) return saved;
+  if (const auto saved = saveReadings(wishes, **model, *result, trace, stretchLaw); !saved) return saved;
   if (!wishes.render.empty()) {
     PictureWishes picture = wishes.picture;
     picture.out = wishes.render;
-    picture.stretchLaw = scene->scenario.profile != Profile::Paper || options.stepper.paper.stretchLaw;
+    picture.stretchLaw = stretchLaw;
     if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);

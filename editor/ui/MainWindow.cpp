@@ -147,6 +147,7 @@ void MainWindow::makeDocks() {
   column->setSpacing(0);
   column->addWidget(m_layers);
   column->addWidget(new FieldPanel(m_field));
+  column->addStretch(1);
   dock("layers", looks, Qt::LeftDockWidgetArea);
   dock("properties", m_properties, Qt::RightDockWidgetArea);
   dock("tools", m_tools, Qt::RightDockWidgetArea);
