@@ -213,7 +213,9 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   if (layers.marker) in.drawMarker(view, look, target);
   if (!layers.strokes.empty()) in.drawScreenStrokes(layers, look, target);
   LegendBox legend;
-  if (fits && layers.field) legend = in.legendPainter.draw(*layers.field, target, in.scaleTexture.id(), look.pixelRatio, look.dark, in.labelPainter, in.painter);
+  const std::vector<Shown> shown = fits && layers.field ? in.shownSurfaces(layers) : std::vector<Shown>();
+  if (std::any_of(shown.begin(), shown.end(), [&](const Shown& s) { return in.hasFieldLook(s, layers); }))
+    legend = in.legendPainter.draw(*layers.field, target, in.scaleTexture.id(), look.pixelRatio, look.dark, in.labelPainter, in.painter);
   if (!labels.empty()) {
     LabelArea area;
     area.width = target.width;
