@@ -147,8 +147,10 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
   const double aspect = static_cast<double>(width) / wishes.height;
   const Result<View> view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
   if (!view) return view.error();
-  for (std::size_t i = 0; i + 1 < panels.size(); ++i)  // one legend is enough
-    if (panels[i].layers.field) panels[i].layers.field->title.clear();
+  // One legend is enough: in the last panel that has colours.
+  const auto last = std::find_if(panels.rbegin(), panels.rend(), [](const Panel& panel) { return panel.layers.visual; });
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel)
+    if (panel != last && panel->layers.field) panel->layers.field->title.clear();
   std::vector<Image> images;
   for (const Panel& panel : panels) {
     State shown = state;

@@ -240,9 +240,13 @@ TEST(SurfaceField, spreadContactForcesSumToTheForces) {
   double low = 1, high = -1;
   for (const Vec3& x : vertices) low = std::min(low, x.y()), high = std::max(high, x.y());
   for (std::size_t v = 0; v < vertices.size(); ++v)
-    if (vertices[v].y() > high - 1e-9) EXPECT_EQ(values[block][v], 0) << v;
+    if (vertices[v].y() > high - 1e-9) {
+      EXPECT_EQ(values[block][v], 0) << v;
+    }
   for (std::size_t i = 0; i < model->objects.size(); ++i)
-    if (model->objects[i].tool) EXPECT_TRUE(values[i].empty());
+    if (model->objects[i].tool) {
+      EXPECT_TRUE(values[i].empty());
+    }
 }
 
 TEST(SurfaceField, aContactOfNoVertexGoesToTheNearestAndNoneIsLost) {
