@@ -91,7 +91,10 @@ void PairSearch::trianglePair(int ta, int tb) {
   const MovingSurface::Bends &bendsA = a.bends(ta), &bendsB = b.bends(tb);
   const int convexA = ownA >> 3 & bendsA.convex, convexB = ownB >> 3 & bendsB.convex;
   const int softA = ownA >> 3 & bendsA.dentable, softB = ownB >> 3 & bendsB.dentable;
-  const bool edges = (convexA && (convexB || softB)) || (softA && convexB);
+  // Of a part on itself two edges that are all but flat count as well: 0.06° of a bend, from which on one is convex, is
+  // enough to sink in by a thousandth of its length, be pushed out flat, and sink in again.
+  const int bothSoft = m_self ? softB : 0;
+  const bool edges = (convexA && (convexB || softB)) || (softA && (convexB || bothSoft));
   const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
                                     static_cast<float>(margins) - slack);
   if (!meetable && !((ownA | ownB) & 7) && !edges) return;
@@ -109,7 +112,7 @@ void PairSearch::trianglePair(int ta, int tb) {
     if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(second, facing, ib[k], ta);
   }
   for (int i = 0; i < 3 && edges; ++i) {
-    const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB : 0);
+    const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB | bothSoft : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
       if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j], reach);

@@ -95,11 +95,11 @@ Part bandPart(const std::string& id, int number, int nx, int ny, int nz, bool ro
 
 Part hairpinPart(const Hairpin& h) {
   constexpr int kBend = 8;
-  const double radius = 0.5 * (h.gap + h.thickness), leg = h.length / h.cellsAlong;
+  const double radius = 0.5 * (h.gap + h.thickness), leg = h.length / h.cellsAlong, above = h.above / h.cellsAlong;
   Path path;  // from the tip of the lower leg
   path.add({h.length, Vec3(h.length, 0.5 * h.thickness, 0), -Vec3::UnitX(), 0});
   path.bend(radius, -kPi);
-  path.straight(h.length);
+  path.straight(h.above);
   // Cells of a leg and of the bend are of different lengths: u counts cells.
   const int cells = 2 * h.cellsAlong + kBend;
   const double bend = kPi * radius / kBend;
@@ -107,7 +107,7 @@ Part hairpinPart(const Hairpin& h) {
     const double n = u * cells;
     if (n <= h.cellsAlong) return n * leg;
     if (n <= h.cellsAlong + kBend) return h.length + (n - h.cellsAlong) * bend;
-    return h.length + kPi * radius + (n - h.cellsAlong - kBend) * leg;
+    return h.length + kPi * radius + (n - h.cellsAlong - kBend) * above;
   };
   const Place band = along(path, h.thickness, h.width);
   Part part = bandPart("hairpin", 1, cells, h.cellsThrough, h.cellsAcross, false,
@@ -132,7 +132,7 @@ Scenario pressedHairpin(double force) {
   scenario.elements = wishedElements();
   scenario.gravity_W.setZero();
   scenario.supports.push_back({"hairpin", "below", {}, 1e7, 1e-2});
-  const double area = 0.06 * 0.016;
+  const double area = 0.053 * 0.016;
   scenario.pressures.push_back({"hairpin", "above", force / area});
   scenario.selfContactParts = {"hairpin"};
   return scenario;

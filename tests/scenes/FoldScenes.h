@@ -13,9 +13,10 @@ using Place = std::function<Vec3(const Vec3& uvw)>;
 Part bandPart(const std::string& id, int number, int nx, int ny, int nz, bool round, const Place& place);
 
 /// A hairpin: two level legs, `gap` apart, and half a circle of eight cells between them. It opens toward +X; the lower
-/// leg's lower side is region "below", the upper leg's upper side "above".
+/// leg's lower side is region "below", the upper leg's upper side "above". The upper leg is shorter, of as many cells: no
+/// vertex comes to lie on another one.
 struct Hairpin {
-  double length = 0.06, width = 0.016, thickness = 0.004, gap = 0.008;  ///< m
+  double length = 0.06, above = 0.053, width = 0.016, thickness = 0.004, gap = 0.008;  ///< m
   int cellsAlong = 12, cellsAcross = 4, cellsThrough = 2;
 };
 Part hairpinPart(const Hairpin& hairpin);
