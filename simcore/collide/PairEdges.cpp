@@ -123,6 +123,7 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
     if (gap < 0 && !SelfRest::cameFromOutside(apart, -gap)) return;
     distance = SelfRest::contactDistance(distance, apart);
     if (m_self->sameCell(contact.a, contact.b)) return;
+    if (gap < -m_touching && !covered(a0 + s * da, -n) && !covered(b0 + t * db, n)) return;
   }
   if (!near(distance, gap, n, a, contact.a, b, contact.b)) return;
   if (gap < -m_shallow) {

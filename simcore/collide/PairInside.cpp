@@ -50,6 +50,7 @@ void PairSearch::followInside(Side& mine, Side& other) {
     if (nearest.triangle < 0) continue;
     const bool touches = nearest.distance < m_touching;
     if (!nearest.inside && !touches) continue;
+    if (m_self && !touches && !covered(vertex)) continue;
     if (nearest.inside)
       for (const int e : mine.surface->topology().edgesOf(vertex)) {
         const auto& ends = mine.surface->topology().edges[e].vertices;

@@ -118,7 +118,7 @@ void PairSearch::trianglePair(int ta, int tb) {
       if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j], reach);
   }
   if (meetable && overB.crosses() && overA.crosses() && !(liesIn(a, ia, b, tb) && liesIn(b, ib, a, ta)) &&
-      trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
+      !(m_self && m_self->crossAtRest(ta, tb)) && trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
     for (int k = 0; k < 3; ++k) {
       suspect(first, ia[k]);
       suspect(second, ib[k]);

@@ -85,6 +85,10 @@ class PairSearch {
   bool mayBeInside(int vertex, int triangle, double depth) const;
   /// Below which gap they make a contact while nothing moves, m.
   double distanceOf(int vertex, int triangle) const;
+  /// Whether a second layer of the body covers a place just in front of a point of the surface, `outward` being the way out
+  /// of the body there: the surface goes round it. Tissue that is merely pressed thin, or turned inside out, is covered by none.
+  bool covered(const Vec3& p, const Vec3& outward) const;
+  bool covered(int vertex) { return covered(m_a.surface->x(vertex), m_a.surface->vertexNormal(vertex).stableNormalized()); }
   MovingSurface::Nearest nearestTo(Side& other, int vertex, const Vec3& p, double reach);
   bool sameCell(const FeaturePoint& a, const FeaturePoint& b) const { return m_self && m_self->sameCell(a, b); }
 

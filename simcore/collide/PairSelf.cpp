@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "simcore/collide/PairSearch.h"
+#include "simcore/spatial/Intersect.h"
+#include "simcore/spatial/RayParity.h"
 
 namespace glenoid {
 
@@ -32,12 +34,26 @@ void PairSearch::runSelf(const Settings& settings, MovingSurface& surface, const
 
 bool PairSearch::mayBeInside(int vertex, int triangle, double depth) const {
   if (!m_self) return true;
-  if (m_self->share(vertex, triangle)) return false;
+  if (m_self->farAndBehind(vertex, triangle, depth) || m_self->share(vertex, triangle)) return false;
   return SelfRest::cameFromOutside(m_self->vertexAndTriangle(vertex, triangle), depth);
 }
 
 double PairSearch::distanceOf(int vertex, int triangle) const {
   return SelfRest::contactDistance(m_settings.contactDistance, m_self->vertexAndTriangle(vertex, triangle));
+}
+
+bool PairSearch::covered(const Vec3& p, const Vec3& outward) const {
+  const MovingSurface& surface = *m_a.surface;
+  const AxisRay ray = shortestRay(p + 0.5 * m_touching * outward, surface.tree().nodes()[0]);
+  const int u = (ray.axis + 1) % 3, v = (ray.axis + 2) % 3;
+  int sum = 0;
+  surface.tree().walk([&](const BoxTree::Node& node) { return ray.reaches(node); },
+                      [&](int t) {
+                        const auto [i, j, k] = surface.topology().triangles[t];
+                        const Vec3 &a = surface.x(i), &b = surface.x(j), &c = surface.x(k);
+                        if (ray.crosses(a, b, c)) sum += orient2d({a[u], a[v]}, {b[u], b[v]}, {c[u], c[v]});
+                      });
+  return (ray.forward ? sum : -sum) > 0;
 }
 
 MovingSurface::Nearest PairSearch::nearestTo(Side& other, int vertex, const Vec3& p, double reach) {

@@ -227,6 +227,7 @@ void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, do
   const FeaturePoint foot{3, corners, {w[0], w[1], w[2]}};
   const double gap = surface.height(triangle, p);
   if (m_self && (m_self->share(vertex, triangle) || (gap < 0 && !mayBeInside(vertex, triangle, -gap)))) return;
+  if (m_self && gap < -m_touching && !covered(vertex)) return;
   if (sameCell(vertexPoint(vertex), foot)) return;
   double slide = 0;
   for (int motion = 0; motion < m_settings.motionCount; ++motion)

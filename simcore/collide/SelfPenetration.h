@@ -9,7 +9,8 @@
 
 namespace glenoid {
 
-/// How deep a surface lies in itself, for PenetrationCheck; shares nothing with the search. A point of the surface is inside
+/// How deep a surface lies in itself, for PenetrationCheck; shares no code with the search but the exact crossing of a
+/// ray (spatial/RayParity). A point of the surface is inside
 /// where the winding number just in front of it, a millionth of the surface's size along its normal, is above zero: there a
 /// second layer of the body is. A closed surface that does not cross itself has none, so one without crossing triangles is
 /// done at once. The depth is the distance to the nearest triangle that the point lies behind, its own left out; so never more

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/collide/SelfRest.h"
 
+#include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {
@@ -34,11 +35,16 @@ SelfRest::SelfRest(std::shared_ptr<const CollisionSurface> surface, std::vector<
     const auto [i, j, k] = s.triangles[t];
     const Vec3 twice = (s.restVertices[j] - s.restVertices[i]).cross(s.restVertices[k] - s.restVertices[i]);
     m_faceNormal.push_back(s.empty[t] ? Vec3(Vec3::Zero()) : Vec3(twice.stableNormalized()));
+    m_centre.push_back((s.restVertices[i] + s.restVertices[j] + s.restVertices[k]) / 3);
+    double radius = 0;
+    for (const int v : s.triangles[t]) radius = std::max(radius, (s.restVertices[v] - m_centre.back()).norm());
+    m_radius.push_back(radius);
     if (s.empty[t]) continue;
     for (const int v : s.triangles[t]) m_vertexNormal[v] += twice;  // by area: which way is out is all that is asked
   }
   for (Vec3& normal : m_vertexNormal)
     if (!normal.isZero(0)) normal.stableNormalize();
+  m_crossing = selfIntersections(TriMesh{s.restVertices, s.triangles});
 }
 
 SelfRest::Apart SelfRest::apart(const Vec3& a, const Vec3& normalA, const Vec3& b, const Vec3& normalB) const {
