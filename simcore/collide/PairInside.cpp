@@ -44,13 +44,13 @@ void PairSearch::followInside(Side& mine, Side& other) {
   for (std::size_t i = 0; i < mine.queue.size(); ++i) {
     const int vertex = mine.queue[i];
     if (!mine.owners->vertexTakesPart[vertex]) continue;
+    if (m_self && !covered(vertex)) continue;  // a ray, against a search among triangles of which few count
     const Vec3& p = mine.surface->x(vertex);
     ++m_counts->depthQueries;
     MovingSurface::Nearest nearest = nearestTo(other, vertex, p, reach);
     if (nearest.triangle < 0) continue;
     const bool touches = nearest.distance < m_touching;
     if (!nearest.inside && !touches) continue;
-    if (m_self && !touches && !covered(vertex)) continue;
     if (nearest.inside)
       for (const int e : mine.surface->topology().edgesOf(vertex)) {
         const auto& ends = mine.surface->topology().edges[e].vertices;

@@ -111,7 +111,9 @@ void PairSearch::trianglePair(int ta, int tb) {
     if ((verticesA >> k & 1) && std::abs(b.height(tb, a.x(ia[k]))) <= reach) vertexNearTriangle(first, m_b, ia[k], tb);
     if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(second, facing, ib[k], ta);
   }
-  for (int i = 0; i < 3 && edges; ++i) {
+  // The two sides of one layer lie wholly behind each other. If they have come there from outside their vertices say so.
+  const bool behindEachOther = m_self && overB.below == 15 && overA.below == 15;
+  for (int i = 0; i < 3 && edges && !behindEachOther; ++i) {
     const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB | bothSoft : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
