@@ -125,8 +125,6 @@ Folded fold(const Part& muscle, double thickness, bool effect) {
     surfacePositions(object.collision, object.layout, state.q, x);
     folded.last = check.deepest(spans).depth;
     folded.deepest = std::max(folded.deepest, folded.last);
-    if (std::getenv("GLENOID_TALK") && i % 20 == 19)
-      std::printf("   %.2f s: %.4f mm, %d rows, %.3f N, speed %.3f, parts %d\n", state.time, 1e3 * folded.last, rows, folded.force, state.v.cwiseAbs().maxCoeff(), report.parts);
   }
   std::printf("scan, effect %s: %d triangles, deepest %.4f mm, at the end %.4f mm; at most %d rows, %.2f N on itself; a step %.2f ms, its search %.2f ms\n",
               effect ? "on" : "off", folded.triangles, 1e3 * folded.deepest, 1e3 * folded.last, folded.rows, folded.force, folded.ms, folded.selfMs);
