@@ -1432,6 +1432,100 @@
     </message>
 </context>
 <context>
+    <name>glenoid::FieldPanel</name>
+    <message>
+        <source>&amp;Colours by</source>
+        <translation>&amp;Colorear según</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>No</translation>
+    </message>
+    <message>
+        <source>What colours the parts</source>
+        <translation>Qué colorea las partes</translation>
+    </message>
+    <message>
+        <source>Colour the parts by what they bear; point at one to read its value</source>
+        <translation>Colorea las partes según lo que soportan; señale una para leer su valor</translation>
+    </message>
+    <message>
+        <source>Automatic scale</source>
+        <translation>Escala automática</translation>
+    </message>
+    <message>
+        <source>The scale follows the values, in round steps; without it, it stays as it is</source>
+        <translation>La escala sigue los valores, en pasos redondos; si no, se queda como está</translation>
+    </message>
+    <message>
+        <source>Low end of the scale</source>
+        <translation>Extremo inferior de la escala</translation>
+    </message>
+    <message>
+        <source>High end of the scale</source>
+        <translation>Extremo superior de la escala</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::FieldText</name>
+    <message>
+        <source>Stress</source>
+        <translation>Tensión</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Deformación</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Presión</translation>
+    </message>
+    <message>
+        <source>Contact force</source>
+        <translation>Fuerza de contacto</translation>
+    </message>
+    <message>
+        <source>Von Mises stress</source>
+        <translation>Tensión de von Mises</translation>
+    </message>
+    <message>
+        <source>Largest strain</source>
+        <translation>Deformación máxima</translation>
+    </message>
+    <message>
+        <source>Pressure in tissue</source>
+        <translation>Presión en el tejido</translation>
+    </message>
+    <message>
+        <source>Contact force per area</source>
+        <translation>Fuerza de contacto por área</translation>
+    </message>
+    <message>
+        <source>%1: %2 von Mises stress</source>
+        <translation>%1: %2 de tensión de von Mises</translation>
+    </message>
+    <message>
+        <source>%1: %2 largest strain</source>
+        <translation>%1: %2 de deformación máxima</translation>
+    </message>
+    <message>
+        <source>%1: %2 pressure in tissue</source>
+        <translation>%1: %2 de presión en el tejido</translation>
+    </message>
+    <message>
+        <source>%1: %2 contact force per area</source>
+        <translation>%1: %2 de fuerza de contacto por área</translation>
+    </message>
+    <message>
+        <source>%1: contact force is not read on tools</source>
+        <translation>%1: la fuerza de contacto no se lee en las herramientas</translation>
+    </message>
+    <message>
+        <source>%1: rigid, so nothing to read inside</source>
+        <translation>%1: rígida, así que no hay nada que leer dentro</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::HistoryPanel</name>
     <message>
         <source>History of changes</source>
@@ -2658,6 +2752,30 @@
             <numerusform>Eliminar %n parte</numerusform>
             <numerusform>Eliminar %n partes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Colours by</source>
+        <translation>&amp;Colorear según</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>No</translation>
+    </message>
+    <message>
+        <source>Colour the parts by what they bear</source>
+        <translation>Colorea las partes según lo que soportan</translation>
+    </message>
+    <message>
+        <source>Show the parts as they look</source>
+        <translation>Muestra las partes con su aspecto propio</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Siguiente</translation>
+    </message>
+    <message>
+        <source>Colour by stress, strain, pressure, contact force, and off again</source>
+        <translation>Colorea según tensión, deformación, presión, fuerza de contacto, y otra vez nada</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/Picture.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <optional>
 
 #include "app/commands/Console.h"
 #include "app/commands/Sheet.h"
+#include "editor/core/FieldText.h"
 #include "editor/render/SceneRenderer.h"
 #include "simcore/body/SurfaceBinding.h"
+#include "simcore/reading/SurfaceField.h"
 
 namespace glenoid {
 namespace {
@@ -35,7 +40,66 @@ Result<View> chooseView(const Model& model, const std::string& name, const Box3&
   return viewOf(cameras.front());
 }
 
+/// "0.5MPa" in SI; nothing where it is no amount.
+std::optional<double> amountIn(std::string_view words, bool strain) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(words.data(), words.data() + words.size(), value);
+  if (fault != std::errc() || !std::isfinite(value)) return std::nullopt;
+  const std::string_view unit = words.substr(static_cast<std::size_t>(end - words.data()));
+  if (unit.empty()) return value;
+  if (strain) return unit == "%" ? std::optional(0.01 * value) : std::nullopt;
+  return unit == "Pa" ? std::optional(value) : unit == "kPa" ? std::optional(1e3 * value) : unit == "MPa" ? std::optional(1e6 * value) : std::nullopt;
+}
+
+/// Nothing where no range was wished.
+Result<std::optional<FieldRange>> rangeNamed(Quantity quantity, const std::string& words) {
+  if (words.empty()) return std::optional<FieldRange>();
+  const bool strain = quantity == Quantity::Strain;
+  const std::size_t colon = words.find(':');
+  const auto low = amountIn(std::string_view(words).substr(0, colon), strain);
+  const auto high = colon == std::string::npos ? std::nullopt : amountIn(std::string_view(words).substr(colon + 1), strain);
+  if (!low || !high || !(*high > *low))
+    return usageError("--colour-range wants LOW:HIGH, LOW below HIGH, such as " + std::string(strain ? "0:20% or 0:0.2" : "0:50kPa or 0:50000") + ", not “" +
+                      words + "”");
+  return std::optional(FieldRange{*low, *high});
+}
+
+/// What the surfaces of a state show, those of `shown` alone deciding on a range of their own.
+Result<std::optional<FieldLook>> coloursOf(const Model& model, const State& state, std::span<const ContactView> contacts, const PictureWishes& wishes,
+                                           const Layers& layers) {
+  if (wishes.colour.empty()) return std::optional<FieldLook>();
+  const Quantity quantity = *quantityNamed(wishes.colour);
+  Result<std::optional<FieldRange>> range = rangeNamed(quantity, wishes.colourRange);
+  if (!range) return range.error();
+  // The caller's model outlives the field.
+  const SurfaceField field(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model));
+  if (quantity != Quantity::Contact && !field.hasTissue()) return usageError("--colour " + wishes.colour + " wants a soft part, and this scene has none");
+  auto values = std::make_shared<SurfaceValues>(field.read(quantity, state, contacts, wishes.stretchLaw));
+  std::vector<char> hidden;
+  for (std::size_t i = 0; i < model.objects.size(); ++i) hidden.push_back(!layers.lookOf(static_cast<int>(i)).visible);
+  const FieldRange shown = *range ? **range : rangeFor(quantity, fieldReach(quantity, *values, hidden));
+  return std::optional(fieldLook(quantity, std::move(values), shown, QLocale::c()));
+}
+
 }  // namespace
+
+void addColourOptions(CLI::App& command, PictureWishes& wishes) {
+  command.add_option("--colour", wishes.colour,
+                     "Colour the parts by what they bear, with a scale: stress (von Mises), strain (largest principal), pressure (in tissue) or contact "
+                     "(contact force for each area)");
+  command.add_option("--colour-range", wishes.colourRange, "Ends of the scale as LOW:HIGH, such as 0:50kPa or 0:20%; without it from the values");
+}
+
+Result<Done> checkColours(const PictureWishes& wishes) {
+  if (wishes.colour.empty()) {
+    if (!wishes.colourRange.empty()) return usageError("--colour-range goes with --colour only");
+    return Done{};
+  }
+  const auto quantity = quantityNamed(wishes.colour);
+  if (!quantity) return usageError("--colour wants stress, strain, pressure or contact, not “" + wishes.colour + "”");
+  if (const auto range = rangeNamed(*quantity, wishes.colourRange); !range) return range.error();
+  return Done{};
+}
 
 Result<Done> readSize(const std::string& words, PictureWishes& wishes) {
   const char *begin = words.data(), *end = begin + words.size();
@@ -74,12 +138,19 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     for (std::size_t i = 0; i < layers.objects.size() && *sheet != Sheet::Cage; ++i) layers.objects[i].visible = static_cast<int>(i) == only;
     box = boxOf(model.objects[only], state.q, layers.dynamics || *sheet == Sheet::Meshes);
   }
-  const std::vector<Panel> panels = panelsOf(*sheet, model, layers, only < 0 ? std::string() : model.objects[only].id);
+  Result<std::optional<FieldLook>> field = coloursOf(model, state, contacts, wishes, layers);
+  if (!field) return field.error();
+  layers.field = std::move(*field);
+  std::vector<Panel> panels = panelsOf(*sheet, model, layers, only < 0 ? std::string() : model.objects[only].id);
   if (panels.empty()) return usageError("there is nothing to show on this sheet");
   const int width = std::max(wishes.width / static_cast<int>(panels.size()), 1);
   const double aspect = static_cast<double>(width) / wishes.height;
   const Result<View> view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
   if (!view) return view.error();
+  // One legend is enough: in the last panel that has colours.
+  const auto last = std::find_if(panels.rbegin(), panels.rend(), [](const Panel& panel) { return panel.layers.visual; });
+  for (auto panel = panels.rbegin(); panel != panels.rend(); ++panel)
+    if (panel != last && panel->layers.field) panel->layers.field->title.clear();
   std::vector<Image> images;
   for (const Panel& panel : panels) {
     State shown = state;

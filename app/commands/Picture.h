@@ -7,6 +7,10 @@
 #include "simcore/step/Model.h"
 #include "simcore/step/Stepper.h"
 
+namespace CLI {
+class App;
+}
+
 namespace glenoid {
 
 /// What the user wants to see in a picture.
@@ -17,7 +21,16 @@ struct PictureWishes {
   std::string layers;          ///< as layersFromWords reads them; empty: the default
   std::string part;            ///< id or number of the only part shown, framed; empty: all
   std::string sheet;           ///< as sheetNamed reads it; empty: one picture
+  std::string colour;          ///< as quantityNamed reads it; empty: parts as they look
+  std::string colourRange;     ///< as readColours reads it; empty: from the values
+  bool stretchLaw = true;      ///< whether the steps had it
 };
+
+/// --colour and --colour-range. The wishes must live as long as the command.
+void addColourOptions(CLI::App& command, PictureWishes& wishes);
+
+/// Tells what is wrong with colour and colourRange before anything is run. Fails with BadUsage.
+Result<Done> checkColours(const PictureWishes& wishes);
 
 /// "1280x960" → sizes. Fails with BadUsage or OutOfRange (1…16384).
 Result<Done> readSize(const std::string& words, PictureWishes& wishes);

@@ -7,6 +7,7 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/Picture.h"
 #include "simcore/live/Run.h"
+#include "simcore/reading/SurfaceField.h"
 
 namespace glenoid {
 namespace {
@@ -20,10 +21,14 @@ struct Wishes {
 Result<Done> render(Wishes wishes) {
   if (!wishes.size.empty())
     if (const auto read = readSize(wishes.size, wishes.picture); !read) return read.error();
+  if (const auto good = checkColours(wishes.picture); !good) return good.error();
+  if (wishes.picture.colour == quantityName(Quantity::Contact) && wishes.time <= 0)
+    return usageError("--colour contact wants --time: at the start no step has found what presses");
   const Result<OpenScene> scene = openSceneOrJoint(wishes.scene);
   if (!scene) return scene.error();
   const auto model = compileModel(scene->joint, scene->scenario);
   if (!model) return model.error();
+  wishes.picture.stretchLaw = hasStretchLaw(scene->scenario);
   if (wishes.time <= 0) return drawPicture(**model, (*model)->start, {}, wishes.picture);
 
   const Result<std::optional<Recording>> input = openShippedInput(wishes.scene, scene->scenario);
@@ -59,6 +64,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   command->add_option("--part", wishes->picture.part, "Show this part alone, or with --sheet cage its cage alone: its id or number");
   command->add_option("--sheet", wishes->picture.sheet,
                       "Take it apart into pictures side by side: anatomy (from the bones outwards) meshes (visual, collision, dynamics) or cage (overlaps at rest, cages, the start they make)");
+  addColourOptions(*command, wishes->picture);
   command->callback([wishes, &status] {
     const Result<Done> done = render(*wishes);
     status = done ? kDone : complain(done.error());

@@ -27,6 +27,7 @@ struct Wishes {
   int threads = 1, every = 1;
   std::optional<unsigned> seed;
   bool realtime = false, portable = false;
+  PictureWishes picture;
 };
 
 Result<Done> applyWishes(const Wishes& wishes, Scenario& scenario) {
@@ -76,9 +77,12 @@ Result<TraceWishes> traceWishes(const Wishes& wishes) {
 }
 
 /// What was asked to be read off the end of the run.
-Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunResult& result, const std::optional<Trace>& trace) {
+Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunResult& result, const std::optional<Trace>& trace,
+                          bool stretchLaw) {
   if (!wishes.state.empty()) {
-    const JsonValue state = toJson(readScene(model, result.state, result.contacts), wishes.scenario);
+    SceneReading reading = readScene(model, result.state, result.contacts);
+    addPeaks(model, result.state, result.contacts, stretchLaw, reading);
+    const JsonValue state = toJson(reading, wishes.scenario);
     if (const auto saved = writeJson(wishes.state, state); !saved) return saved;
   }
   if (!wishes.vtu.empty()) {
@@ -90,6 +94,8 @@ Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunRes
 }
 
 Result<Done> run(const Wishes& wishes) {
+  if (const auto good = checkColours(wishes.picture); !good) return good;
+  if (!wishes.picture.colour.empty() && wishes.render.empty()) return usageError("--colour is for the picture that --render writes, and goes with it only");
   if (const auto good = checkOutputs(wishes); !good) return good;
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
@@ -138,16 +144,18 @@ Result<Done> run(const Wishes& wishes) {
   Result<RunResult> result = runScenario(*model, options);
   if (!result) return result.error();
   result->report.scenario = wishes.scenario;
+  const bool stretchLaw = scene->scenario.profile != Profile::Paper || options.stepper.paper.stretchLaw;
   if (result->recording) result->recording->scenario = wishes.scenario;
 
   if (result->recording)
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
     if (const auto saved = saveOutcome(result->report, wishes.report); !saved) return saved.error();
-  if (const auto saved = saveReadings(wishes, **model, *result, trace); !saved) return saved;
+  if (const auto saved = saveReadings(wishes, **model, *result, trace, stretchLaw); !saved) return saved;
   if (!wishes.render.empty()) {
-    PictureWishes picture;
+    PictureWishes picture = wishes.picture;
     picture.out = wishes.render;
+    picture.stretchLaw = stretchLaw;
     if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);
@@ -186,6 +194,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--record", wishes->record, "Write a .recording that “glenoid replay --check” can repeat");
   command->add_option("--report", wishes->report, "Write the report as JSON");
   command->add_option("--render", wishes->render, "Write a picture of the end as PNG");
+  addColourOptions(*command, wishes->picture);
   command->add_option("--state", wishes->state,
                       "Write where parts are and what acts on them at the end as JSON (schemas/run-state.schema.json)");
   auto* trace = command->add_option("--trace", wishes->trace,

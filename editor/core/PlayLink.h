@@ -45,6 +45,8 @@ class PlayLink : public QObject {
   /// The hand takes the tool (index in the scenario) to a pose, and keeps it there until release.
   void holdTool(int tool, const Pose& hand);
   void releaseTool(int tool);
+  /// For who reads tissue: snapshots with rotations.
+  void setRotationsWanted(bool wanted) { m_simulation.setRotationsWanted(wanted); }
   bool isHeld(int tool) const;
   /// Where the hand of a tool is wanted: by who holds it, else by the run. Identity for an unknown tool.
   Pose handOf(int tool) const;

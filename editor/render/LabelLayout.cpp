@@ -23,11 +23,11 @@ void stack(std::vector<double>& tops, const std::vector<double>& heights, double
 }  // namespace
 
 std::vector<LabelPlace> layOutLabels(const std::vector<LabelWish>& wishes, const LabelArea& area) {
-  const auto& [width, height, margin, gap, taken] = area;
+  const auto& [width, height, margin, gap, taken, takenRight] = area;
   std::vector<LabelPlace> places(wishes.size());
   std::vector<int> columns[2];
   double used[2] = {0, 0};
-  const double room[2] = {height - 2 * margin - taken, height - 2 * margin};
+  const double room[2] = {height - 2 * margin - taken, height - 2 * margin - takenRight};
   for (int i = 0; i < static_cast<int>(wishes.size()); ++i) {
     const LabelWish& wish = wishes[i];
     if (!(wish.width > 0) || wish.width > width - 2 * margin) continue;

@@ -24,6 +24,7 @@ struct LabelArea {
   double width = 0, height = 0;
   double margin = 10, gap = 4;     ///< to the borders; between two names
   double taken = 0;                ///< height of the lower left corner that something else needs
+  double takenRight = 0;           ///< of the lower right one
 };
 
 /// Two columns at the left and right border: a name goes to the nearer one while that has room, and stands as near to

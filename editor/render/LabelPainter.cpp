@@ -35,6 +35,44 @@ LabelPainter::Plate& LabelPainter::plateOf(const std::string& text, double sizeP
   return plate;
 }
 
+void LabelPainter::begin(const Eigen::Vector3f& ink, const Eigen::Vector3f& paper, float opacity, int widthPx, int heightPx) {
+  m_program.use();
+  m_program.set("ink", ink);
+  m_program.set("paper", paper);
+  m_program.set("plateOpacity", opacity);
+  m_program.set("text", 0);
+  m_program.set("viewport", static_cast<float>(widthPx), static_cast<float>(heightPx));
+  glBindVertexArray(m_array.id());
+  glActiveTexture(GL_TEXTURE0);
+}
+
+void LabelPainter::put(Plate& plate, const Vec2& lowerLeft, const Vec2& size, const Vec2& pad) {
+  glBindTexture(GL_TEXTURE_2D, plate.texture.id());
+  m_program.set("corner", static_cast<float>(lowerLeft.x()), static_cast<float>(lowerLeft.y()));
+  m_program.set("size", static_cast<float>(size.x()), static_cast<float>(size.y()));
+  m_program.set("pad", static_cast<float>(pad.x()), static_cast<float>(pad.y()));
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+Vec2 LabelPainter::sizeOf(const std::string& words, double sizePx) {
+  const Plate& plate = plateOf(words, sizePx);
+  return {static_cast<double>(plate.width), static_cast<double>(plate.height)};
+}
+
+void LabelPainter::text(const std::string& words, const Vec2& at, double sizePx, const Eigen::Vector3f& ink, int widthPx, int heightPx) {
+  Plate& plate = plateOf(words, sizePx);
+  if (plate.width == 0) return;
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  begin(ink, ink, 0, widthPx, heightPx);
+  put(plate, {std::round(at.x()), heightPx - std::round(at.y()) - plate.height}, {static_cast<double>(plate.width), static_cast<double>(plate.height)},
+      Vec2::Zero());
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glBindVertexArray(0);
+  glDisable(GL_BLEND);
+}
+
 void LabelPainter::draw(const std::vector<Label>& labels, const LabelArea& target, double pixelRatio, bool dark,
                         LinePainter& lines) {
   const int widthPx = static_cast<int>(target.width), heightPx = static_cast<int>(target.height);
@@ -72,22 +110,12 @@ void LabelPainter::draw(const std::vector<Label>& labels, const LabelArea& targe
   lines.lines(leaders, {static_cast<float>(1.1 * scale), 0, 1});
   lines.dots(ends, {static_cast<float>(4 * scale), 0, 1});
 
-  m_program.use();
-  m_program.set("ink", ink);
-  m_program.set("paper", paper);
-  m_program.set("text", 0);
-  m_program.set("viewport", static_cast<float>(widthPx), static_cast<float>(heightPx));
-  glBindVertexArray(m_array.id());
-  glActiveTexture(GL_TEXTURE0);
+  begin(ink, paper, 0.78f, widthPx, heightPx);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!places[i].placed) continue;
-    Plate& plate = plateOf(labels[i].text, kTextPx * scale);
-    glBindTexture(GL_TEXTURE_2D, plate.texture.id());
-    m_program.set("corner", static_cast<float>(std::round(places[i].corner.x())),
-                  static_cast<float>(heightPx - std::round(places[i].corner.y() + wishes[i].height)));
-    m_program.set("size", static_cast<float>(wishes[i].width), static_cast<float>(wishes[i].height));
-    m_program.set("pad", static_cast<float>(pad), static_cast<float>(std::round(pad / 2)));
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    put(plateOf(labels[i].text, kTextPx * scale),
+        {std::round(places[i].corner.x()), heightPx - std::round(places[i].corner.y() + wishes[i].height)},
+        {wishes[i].width, wishes[i].height}, {pad, std::round(pad / 2)});
   }
   glBindTexture(GL_TEXTURE_2D, 0);
   glBindVertexArray(0);

@@ -24,12 +24,18 @@ class LabelPainter {
   /// are set here. `dark`: of the background.
   void draw(const std::vector<Label>& labels, const LabelArea& area, double pixelRatio, bool dark,
             LinePainter& lines);
+  /// One line of text alone, without a plate, its upper left corner at `at` (pixels from the upper left, rounded).
+  void text(const std::string& words, const Vec2& at, double sizePx, const Eigen::Vector3f& ink, int widthPx, int heightPx);
+  /// Width and height of such a line, pixels; zero without any font.
+  Vec2 sizeOf(const std::string& words, double sizePx);
 
  private:
   struct Plate {
     GlTexture texture;
     int width = 0, height = 0;
   };
+  void put(Plate& plate, const Vec2& lowerLeft, const Vec2& size, const Vec2& pad);
+  void begin(const Eigen::Vector3f& ink, const Eigen::Vector3f& paper, float opacity, int widthPx, int heightPx);
   Plate& plateOf(const std::string& text, double sizePx);
 
   Program m_program;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/render/Layers.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace glenoid {
 
 Result<Layers> layersFromWords(std::string_view words) {
@@ -28,6 +31,20 @@ Result<Layers> layersFromWords(std::string_view words) {
     if (!known) return Error{Fault::BadUsage, {}, {std::string(name)}, "unknown layer"};
   }
   return layers;
+}
+
+ColorMap mapOf(const FieldLook& field) { return field.low < 0 && field.high > 0 ? ColorMap::Diverging : ColorMap::Sequential; }
+
+std::array<float, 3> colorOf(const FieldLook& field, double value) {
+  if (!std::isfinite(value)) return kNeutralColor;
+  const double inside = std::clamp(value, field.low, field.high);
+  if (mapOf(field) == ColorMap::Diverging) return colorAt(ColorMap::Diverging, 0.5 + 0.5 * inside / std::max(field.high, -field.low));
+  const double share = (inside - field.low) / (field.high - field.low);
+  std::array<float, 3> color = colorAt(ColorMap::Sequential, share);
+  constexpr double kFade = 0.06;  // share of the scale over which nothing becomes something
+  if (field.zeroIsNone && share < kFade)
+    for (int i = 0; i < 3; ++i) color[i] = static_cast<float>(kNeutralColor[i] + share / kFade * (color[i] - kNeutralColor[i]));
+  return color;
 }
 
 }  // namespace glenoid

@@ -2,11 +2,13 @@
 #pragma once
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "editor/render/ColorMap.h"
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
 #include "simcore/step/Stepper.h"
@@ -43,6 +45,28 @@ struct Strokes {
   float hiddenStrength = 0.3f;     ///< how much of it is seen through surfaces, 0…1
 };
 
+/// Values on visual surfaces, shown as colours with a scale beside them. Where a part faces the viewer it has the scale's
+/// colour, whatever lights and tones do to tissue; where it turns away it is darker, in hue the same. Parts without values are
+/// grey, tools and collision surfaces look as always.
+struct FieldLook {
+  /// By object, then by vertex of its visual surface; an empty list, or one of another length: no values. Told apart by
+  /// address: other values want another vector.
+  std::shared_ptr<const std::vector<std::vector<float>>> values;
+  double low = 0, high = 1;  ///< of the scale, in the values' unit; low < high
+  bool zeroIsNone = false;   ///< low is nothing at all: the scale begins with the grey of parts without values
+  /// The legend's words, ready to be read; no title: no legend.
+  std::string title;
+  struct Tick {
+    double at;
+    std::string text;
+  };
+  std::vector<Tick> ticks;
+};
+/// A scale across zero parts at zero, at any values of its ends; another one does not.
+ColorMap mapOf(const FieldLook& field);
+/// Colour of a value, sRGB.
+std::array<float, 3> colorOf(const FieldLook& field, double value);
+
 /// What is shown: each layer for itself, as in the paper's Figure 1.
 struct Layers {
   bool visual = true;               ///< visual surfaces, smooth
@@ -59,6 +83,7 @@ struct Layers {
   std::vector<TriangleMark> marks;
   std::vector<Strokes> strokes;
   std::vector<DentView> dents;      ///< of the step that led to the state shown: surfaces sink there
+  std::optional<FieldLook> field = std::nullopt;
   std::map<std::string, std::string> names;  ///< for labels: what to write in place of a name of the model
 
   ObjectLook lookOf(int object) const {

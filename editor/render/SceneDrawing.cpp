@@ -41,24 +41,38 @@ void SceneRenderer::Inside::triangles(Range indices) {
 void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const Layers& layers) {
   const ObjectGeometry& object = scene.objects[shown.object];
   const ObjectLook look = layers.lookOf(shown.object);
-  surface->use();
+  const bool field = hasFieldLook(shown, layers);
+  const Program& program = field ? fieldSurface : *surface;
+  program.use();
+  if (field) {
+    const bool has = valued[shown.object];
+    program.set("valued", has ? 1 : 0);
+    program.set("scale", 0);
+    program.set("ends", static_cast<float>(layers.field->low), static_cast<float>(layers.field->high));
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_1D, scaleTexture.id());
+  }
   glBindVertexArray(evaluator.surfaces());
-  surface->set("worldToView", eye.worldToView);
-  surface->set("viewToClip", eye.viewToClip);
-  surface->set("up_V", eye.up_V);
-  surface->set("color", look.color ? linearColor((*look.color)[0], (*look.color)[1], (*look.color)[2]) : colorOf(object));
-  surface->set("opacity", look.opacity);
-  surface->set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
+  program.set("worldToView", eye.worldToView);
+  program.set("viewToClip", eye.viewToClip);
+  program.set("up_V", eye.up_V);
+  if (field) {
+    program.set("color", linearColor(kNeutralColor[0], kNeutralColor[1], kNeutralColor[2]));
+  } else {
+    program.set("color", look.color ? linearColor((*look.color)[0], (*look.color)[1], (*look.color)[2]) : colorOf(object));
+  }
+  program.set("opacity", look.opacity);
+  program.set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
   const bool plain = shown.kind == SurfaceKind::Collision;
-  surface->set("occluded", occluded && !plain ? 1.0f : 0.0f);
-  surface->set("shafts", occluded && !plain && !object.tool ? shafts : 0);
-  surface->set("roughness", object.roughness);
-  surface->set("wet", plain ? 0.0f : object.wet);
-  surface->set("grain", plain ? 0 : static_cast<int>(object.grain));
+  program.set("occluded", occluded && !plain ? 1.0f : 0.0f);
+  program.set("shafts", occluded && !plain && !object.tool ? shafts : 0);
+  program.set("roughness", object.roughness);
+  program.set("wet", plain ? 0.0f : object.wet);
+  program.set("grain", plain ? 0 : static_cast<int>(object.grain));
   Eigen::Vector4f tint = Eigen::Vector4f::Zero();
   if (look.hovered) tint = withAlpha(linearColor(1.0f, 0.90f, 0.70f), 0.16f);
   if (look.selected) tint = withAlpha(linearColor(1.0f, 0.62f, 0.18f), 0.26f);
-  surface->set("tint", tint);
+  program.set("tint", tint);
 
   if (look.opacity >= 1) {
     glDepthFunc(GL_LESS);
@@ -77,26 +91,28 @@ void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
   }
-  drawOverlays(shown, layers);
+  drawOverlays(shown, layers, program);
+  if (field) glBindTexture(GL_TEXTURE_1D, 0);
 }
 
 /// Regions and marks on a surface that has just been drawn: the same triangles again, at the same depth.
-void SceneRenderer::Inside::drawOverlays(const Shown& shown, const Layers& layers) {
+void SceneRenderer::Inside::drawOverlays(const Shown& shown, const Layers& layers, const Program& program) {
   const bool marked = std::any_of(layers.marks.begin(), layers.marks.end(), [&](const TriangleMark& m) {
     return m.object == shown.object && m.surface == shown.kind;
   });
   if (!layers.regions && !marked) return;
   const SurfaceRanges& ranges = scene.objects[shown.object].surface(shown.kind);
-  surface->set("tint", Eigen::Vector4f(0, 0, 0, 0));
-  surface->set("grain", 0);
+  program.set("tint", Eigen::Vector4f(0, 0, 0, 0));
+  program.set("grain", 0);
+  program.set("valued", 0);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   if (layers.regions)
     for (const RegionRanges& region : scene.regions) {
       if (region.object != shown.object || region.surface != shown.kind) continue;
-      surface->set("color", regionColor(region.kind));
-      surface->set("opacity", 0.72f);
+      program.set("color", regionColor(region.kind));
+      program.set("opacity", 0.72f);
       triangles(region.triangles);
     }
   std::vector<GLsizei> counts;
@@ -117,8 +133,8 @@ void SceneRenderer::Inside::drawOverlays(const Shown& shown, const Layers& layer
       }
       next = t + 1;
     }
-    surface->set("color", linearColor(mark.color[0], mark.color[1], mark.color[2]));
-    surface->set("opacity", 0.85f);
+    program.set("color", linearColor(mark.color[0], mark.color[1], mark.color[2]));
+    program.set("opacity", 0.85f);
     if (!counts.empty())
       glMultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_INT, offsets.data(),
                           static_cast<GLsizei>(counts.size()));

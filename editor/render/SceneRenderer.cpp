@@ -45,6 +45,9 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
   auto detailed = Program::build({"surface.vert.glsl", "surface.frag.glsl"}, nullptr, "#define DETAIL\n");
   if (!detailed) return detailed.error();
   in.detailedSurface = std::move(*detailed);
+  auto field = Program::build({"surface.vert.glsl", "surface.frag.glsl"}, nullptr, "#define FIELD\n");
+  if (!field) return field.error();
+  in.fieldSurface = std::move(*field);
   for (const int outline : {0, 1}) {
     auto program = Program::build({"screen.vert.glsl", "compose.frag.glsl"}, nullptr, outline ? "#define WITH_OUTLINE\n" : "");
     if (!program) return program.error();
@@ -53,6 +56,7 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
   if (auto built = in.evaluator.build(); !built) return built.error();
   if (auto built = in.painter.build(); !built) return built.error();
   if (auto built = in.labelPainter.build(); !built) return built.error();
+  if (auto built = in.legendPainter.build(); !built) return built.error();
   return renderer;
 }
 
@@ -65,6 +69,8 @@ Result<Done> SceneRenderer::setScene(const Model& model) {
   in.boxedQ.resize(0);
   in.boxes.clear();
   in.presence.clear();
+  in.fieldSent.reset();
+  in.valued.clear();
   // An edit that moves no surface keeps what was cast.
   if (in.occlusion && in.occlusion->holdsFor(in.scene, model.start.q)) return Done{};
   in.occlusion.reset();
@@ -198,6 +204,7 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   in.occluded = look.ambientOcclusion;
   if (fits && look.ambientOcclusion) in.updateOcclusion(q, layers);
   if (fits) in.placeShafts(q, eye, layers);
+  if (fits && layers.field) in.updateField(*layers.field);
   in.frame.bindScene();
   if (fits) in.drawScene(eye, layers, contacts, std::max(look.pixelRatio, 0.1) * in.frame.factor());
   in.frame.resolveScene();
@@ -205,11 +212,16 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   in.drawComposed(layers, look, target);
   if (layers.marker) in.drawMarker(view, look, target);
   if (!layers.strokes.empty()) in.drawScreenStrokes(layers, look, target);
+  LegendBox legend;
+  const std::vector<Shown> shown = fits && layers.field ? in.shownSurfaces(layers) : std::vector<Shown>();
+  if (std::any_of(shown.begin(), shown.end(), [&](const Shown& s) { return in.hasFieldLook(s, layers); }))
+    legend = in.legendPainter.draw(*layers.field, target, in.scaleTexture.id(), look.pixelRatio, look.dark, in.labelPainter, in.painter);
   if (!labels.empty()) {
     LabelArea area;
     area.width = target.width;
     area.height = target.height;
     area.taken = layers.marker ? markerSize(look, target) : 0;
+    area.takenRight = legend.height;
     in.labelPainter.draw(labels, area, look.pixelRatio, look.dark, in.painter);
   }
   glBindVertexArray(0);

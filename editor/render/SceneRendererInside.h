@@ -7,6 +7,7 @@
 #include "editor/render/GlContext.h"
 #include "editor/render/GlResources.h"
 #include "editor/render/LabelPainter.h"
+#include "editor/render/LegendPainter.h"
 #include "editor/render/LinePainter.h"
 #include "editor/render/OcclusionJob.h"
 #include "editor/render/SceneGeometry.h"
@@ -37,9 +38,10 @@ struct SceneRenderer::Inside {
   StateEvaluator evaluator;
   LinePainter painter;
   LabelPainter labelPainter;
+  LegendPainter legendPainter;
   FrameBuffers frame;
   PickTarget pickTarget;
-  Program plainSurface, detailedSurface, mask, pick;
+  Program plainSurface, detailedSurface, fieldSurface, mask, pick;
   const Program* surface = &plainSurface;  ///< of the frame that is being drawn
   bool occluded = true;                    ///< whether that frame darkens hollows
   int shafts = 0;                          ///< tools that darken tissue near them in that frame
@@ -54,6 +56,10 @@ struct SceneRenderer::Inside {
   std::shared_ptr<const Occlusion> occlusion;  ///< of the scene, once it is there
   std::vector<float> presence;                 ///< for which openness was last sent
 
+  std::shared_ptr<const std::vector<std::vector<float>>> fieldSent;  ///< values as the GPU has them
+  std::vector<char> valued;                                          ///< by object: has some of them
+  GlTexture scaleTexture;
+
   bool fits(const VecX& q) const { return q.size() == scene.qSize; }
   void updateBoxes(const VecX& q);
   /// The deepest dents, as the evaluator takes them.
@@ -61,10 +67,13 @@ struct SceneRenderer::Inside {
   Eye eyeFor(const View& view, const Layers& layers, double aspect) const;
   std::vector<Shown> shownSurfaces(const Layers& layers) const;
 
+  /// Values and scale to the GPU, where they are new.
+  void updateField(const FieldLook& field);
+  bool hasFieldLook(const Shown& shown, const Layers& layers) const;
   void drawScene(const Eye& eye, const Layers& layers, std::span<const ContactView> contacts,
                  double strokeScale);
   void drawFilled(const Shown& shown, const Eye& eye, const Layers& layers);
-  void drawOverlays(const Shown& shown, const Layers& layers);
+  void drawOverlays(const Shown& shown, const Layers& layers, const Program& program);
   void drawEdges(const std::vector<Shown>& shown, const Layers& layers, double scale);
   void drawSprings(const Layers& layers, double scale, float strength);
   void drawContacts(const Layers& layers, std::span<const ContactView> contacts, double scale,

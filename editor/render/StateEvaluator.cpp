@@ -69,6 +69,9 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
 
   m_vertexCount = static_cast<int>(geometry.vertices.size());
   m_sent.clear();
+  m_field.reset();
+  glBindVertexArray(m_surfaces.id());
+  glDisableVertexAttribArray(5);  // values of the scene before
   upload(m_entities, GL_ARRAY_BUFFER, geometry.vertices);
   upload(m_rings, GL_ARRAY_BUFFER, geometry.rings);
   upload(m_tissue, GL_ARRAY_BUFFER, geometry.tissue);
@@ -115,6 +118,15 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
 
 void StateEvaluator::setOpenness(const std::vector<float>& open) {
   upload(m_openness, GL_ARRAY_BUFFER, open);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void StateEvaluator::setField(const std::vector<float>& values) {
+  upload(m_field, GL_ARRAY_BUFFER, values);
+  glBindVertexArray(m_surfaces.id());
+  glEnableVertexAttribArray(5);
+  glVertexAttribPointer(5, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 

@@ -30,6 +30,9 @@ class StateEvaluator {
   /// Share of open sky by vertex of the scene (see Occlusion); 1 everywhere until the first call.
   void setOpenness(const std::vector<float>& open);
 
+  /// Value by vertex of the scene, as surface.vert's attribute 5. Takes no memory before the first call.
+  void setField(const std::vector<float>& values);
+
   /// Sends q and evaluates; nothing is done when q and dents are what they were. Takes the first kDentsMost.
   void evaluate(const VecX& q, const std::vector<ShownDent>& dents = {});
   static constexpr std::size_t kDentsMost = 4;
@@ -47,7 +50,7 @@ class StateEvaluator {
   std::vector<Eigen::Vector4f> read(GlBuffer& buffer, Range range);
 
   Program m_positionPass, m_normalPass;
-  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals, m_openness;
+  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals, m_openness, m_field;
   GlFramebuffer
       m_frame;  ///< a draw needs a complete one, even when nothing is rasterised; a headless context has none
   GlRenderbuffer m_pixel;

@@ -15,6 +15,7 @@
 
 #include "editor/core/Sentences.h"
 #include "editor/ui/AuthorDocks.h"
+#include "editor/ui/FieldPanel.h"
 #include "editor/ui/HistoryPanel.h"
 #include "editor/ui/JobsBar.h"
 #include "editor/ui/LayersPanel.h"
@@ -31,7 +32,7 @@ namespace glenoid {
 MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver)
     : m_document(parts.document), m_link(parts.link), m_display(parts.display), m_selection(parts.selection),
       m_loader(std::move(loader)), m_saver(std::move(saver)), m_actions(this), m_jobs(m_document),
-      m_problems(m_document, m_jobs) {
+      m_problems(m_document, m_jobs), m_field(m_link) {
   setObjectName(QStringLiteral("mainWindow"));
   m_workers.setMaxThreadCount(1);
   setAcceptDrops(true);
@@ -41,6 +42,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   makeFileActions();
   makeEditActions();
   makeViewActions();
+  makeColourActions();
   makeSimulationActions();
   m_author = new AuthorDocks(*this, m_actions, m_document, m_jobs, m_display, m_selection, m_view);
   makeMenus();
@@ -70,6 +72,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
 }
 
 MainWindow::~MainWindow() {
+  if (m_view) m_view->setField(nullptr);  // the view goes after the members
   m_workers.clear();
   m_workers.waitForDone();
 }
@@ -109,6 +112,7 @@ QWidget* MainWindow::makeCentre(const GlProbe& graphics) {
   if (graphics.usable) {
     m_view = new SceneView(m_link, m_display, m_selection, graphics.software);
     connect(m_view, &SceneView::graphicsFailed, this, [this](const Error& error) { showProblem(sentenceOf(error)); });
+    m_view->setField(&m_field);
     layout->addWidget(m_view, 1);
   } else {
     m_noGraphics = new QLabel;
@@ -137,7 +141,14 @@ void MainWindow::makeDocks() {
   };
   setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);  // along the side there is room for all their names
   dock("parts", m_tree, Qt::LeftDockWidgetArea);
-  dock("layers", m_layers, Qt::LeftDockWidgetArea);
+  auto* looks = new QWidget;
+  auto* column = new QVBoxLayout(looks);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(m_layers);
+  column->addWidget(new FieldPanel(m_field));
+  column->addStretch(1);
+  dock("layers", looks, Qt::LeftDockWidgetArea);
   dock("properties", m_properties, Qt::RightDockWidgetArea);
   dock("tools", m_tools, Qt::RightDockWidgetArea);
   resizeDocks({m_docks[0], m_docks[1]}, {560, 190}, Qt::Vertical);
@@ -185,6 +196,7 @@ void MainWindow::retranslate() {
   m_languageMenu->setTitle(tr("&Language"));
   m_solverMenu->setTitle(tr("S&olver"));
   m_sideMenu->setTitle(tr("Look &from"));
+  m_colourMenu->setTitle(tr("&Colours by"));
   const QStringList bars = {tr("File and view"), tr("Simulation")};
   for (std::size_t i = 0; i < m_toolBars.size(); ++i) m_toolBars[i]->setWindowTitle(bars.value(static_cast<int>(i)));
   if (m_noGraphics) m_noGraphics->setText(sentenceOf({Fault::NoGraphics, {}, {}, {}}));

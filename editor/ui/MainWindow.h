@@ -4,6 +4,7 @@
 
 #include "editor/core/DisplayState.h"
 #include "editor/core/Document.h"
+#include "editor/core/FieldView.h"
 #include "editor/core/JobSystem.h"
 #include "editor/core/PlayLink.h"
 #include "editor/core/ProblemWatch.h"
@@ -47,6 +48,7 @@ class MainWindow : public QMainWindow {
   JobSystem& jobs() { return m_jobs; }
   ProblemWatch& problems() { return m_problems; }
   AuthorDocks& author() { return *m_author; }
+  FieldView& field() { return m_field; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
@@ -72,6 +74,7 @@ class MainWindow : public QMainWindow {
   void makeFileActions();
   void makeEditActions();
   void makeViewActions();
+  void makeColourActions();
   void makeSimulationActions();
   void makeMenus();
   void makeToolBars();
@@ -101,6 +104,7 @@ class MainWindow : public QMainWindow {
   Actions m_actions;
   JobSystem m_jobs;
   ProblemWatch m_problems;
+  FieldView m_field;
   SceneView* m_view = nullptr;
   AuthorDocks* m_author = nullptr;
   PartTree* m_tree = nullptr;
@@ -112,7 +116,7 @@ class MainWindow : public QMainWindow {
   QWidget* m_banner = nullptr;
   std::vector<QMenu*> m_menus;
   std::vector<QDockWidget*> m_docks;
-  QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr;
+  QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr, *m_colourMenu = nullptr;
   std::vector<QToolBar*> m_toolBars;
   QThreadPool m_workers;
   QString m_autosaveRoot;

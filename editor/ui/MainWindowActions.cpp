@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "editor/core/FieldText.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/AuthorDocks.h"
@@ -165,6 +166,30 @@ void MainWindow::makeViewActions() {
   }
 }
 
+/// Off and each quantity, of which one is chosen, and one after another by a key.
+void MainWindow::makeColourActions() {
+  auto* group = new QActionGroup(this);
+  std::vector<std::pair<QAction*, std::optional<Quantity>>> choices;
+  const auto add = [&](const QString& id, std::optional<Quantity> quantity) {
+    QAction* action = m_actions.addCheckable(QStringLiteral("colour.") + id, {}, {}, [quantity] {
+      return Actions::Words{quantity ? quantityLabel(*quantity) : tr("Off"),
+                            quantity ? tr("Colour the parts by what they bear") : tr("Show the parts as they look")};
+    }, [this, quantity](bool) { m_field.show(quantity); });
+    group->addAction(action);
+    choices.push_back({action, quantity});
+  };
+  add(QStringLiteral("off"), std::nullopt);
+  for (const Quantity quantity : kQuantities) add(QLatin1String(quantityName(quantity)), quantity);
+  m_actions.add(QStringLiteral("colour.next"), {}, {QKeySequence(Qt::Key_V)},
+                [] { return Actions::Words{tr("&Next"), tr("Colour by stress, strain, pressure, contact force, and off again")}; },
+                [this] { m_field.showNext(); });
+  const auto refresh = [this, choices] {
+    for (const auto& [action, quantity] : choices) action->setChecked(m_field.quantity() == quantity);
+  };
+  connect(&m_field, &FieldView::rangeChanged, this, refresh, Qt::QueuedConnection);
+  refresh();
+}
+
 void MainWindow::makeSimulationActions() {
   QAction* play = m_actions.addCheckable("play", {}, {QKeySequence(Qt::Key_Space)}, [this] {
     const QAction* action = m_actions[QStringLiteral("play")];
@@ -235,6 +260,11 @@ void MainWindow::makeMenus() {
   fill(view, {"frame", "frameAll", "home"});
   m_sideMenu = view->addMenu(themedIcon("view"), QString());
   for (const Side side : kSides) m_sideMenu->addAction(m_actions[QStringLiteral("from.") + QLatin1String(sideName(side))]);
+  m_colourMenu = view->addMenu(QString());
+  m_colourMenu->addAction(m_actions[QStringLiteral("colour.off")]);
+  for (const Quantity quantity : kQuantities) m_colourMenu->addAction(m_actions[QStringLiteral("colour.") + QLatin1String(quantityName(quantity))]);
+  m_colourMenu->addSeparator();
+  m_colourMenu->addAction(m_actions[QStringLiteral("colour.next")]);
   view->addSeparator();
   for (QAction* layer : m_layers->layerActions()) view->addAction(layer);
   view->addSeparator();
@@ -257,7 +287,10 @@ void MainWindow::makeMenus() {
   m_solverMenu = simulate->addMenu(QString());
   fill(m_solverMenu, {"profile.direct", "profile.paper", "profile.reference"});
   fill(menu(), {"about"});
-  if (!m_view) m_sideMenu->setEnabled(false);
+  if (!m_view) {
+    m_sideMenu->setEnabled(false);
+    m_colourMenu->setEnabled(false);
+  }
 }
 
 void MainWindow::makeToolBars() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/SceneView.h"
 
+#include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -19,6 +20,13 @@ SceneView::SceneView(PlayLink& link, DisplayState& display, Selection& selection
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
+  m_reading = new QLabel(this);
+  m_reading->setObjectName(QStringLiteral("fieldReading"));
+  m_reading->setProperty("role", QStringLiteral("reading"));
+  m_reading->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_reading->hide();
+  // Not while a frame is being drawn.
+  connect(this, &SceneView::drawn, this, &SceneView::refreshReading, Qt::QueuedConnection);
   m_clock.start();
   // A wheel has no release: the hand lets go when it has been still for a moment.
   m_wheelRest.setSingleShot(true);
@@ -87,6 +95,8 @@ Layers SceneView::layers() const {
   Layers layers = m_display.layersFor(*m_model, m_selection);
   const Snapshot& snapshot = m_link.snapshot();
   if (!m_authoring || !m_authoring->stateFor(snapshot.model)) layers.dents = snapshot.report.dents;
+  // Colours are the run's; what an author places is not of it.
+  if (m_field && (!m_authoring || !m_authoring->stateFor(snapshot.model))) layers.field = m_field->look(layers);
   if (m_authoring) m_authoring->decorate(*m_model, viewport(), layers);
   return layers;
 }
@@ -103,6 +113,33 @@ void SceneView::setAuthoring(Authoring* authoring) {
   if (!authoring) return;
   connect(authoring, &Authoring::looksChanged, this, [this] { requestDraw(); });
   connect(authoring, &Authoring::toolChanged, this, [this] { isAuthoring() ? setCursor(Qt::CrossCursor) : unsetCursor(); });
+}
+
+void SceneView::setField(FieldView* field) {
+  if (m_field) m_field->disconnect(this);
+  m_field = field;
+  readAt(std::nullopt);
+  if (field) connect(field, &FieldView::changed, this, [this] { requestDraw(); });
+}
+
+void SceneView::readAt(const std::optional<PickHit>& hit) {
+  m_readPlace = m_field && hit ? m_field->placeOf(*hit) : std::nullopt;
+  refreshReading();
+}
+
+void SceneView::refreshReading() {
+  const QString words = m_readPlace && m_field ? m_field->readingAt(*m_readPlace) : QString();
+  if (words.isEmpty()) return m_reading->hide();
+  if (m_reading->text() != words) m_reading->setText(words);
+  m_reading->adjustSize();
+  // Beside the pointer; on its other side where the view ends.
+  const QPoint at = m_last.toPoint();
+  QPoint corner = at + QPoint(16, 18);
+  if (corner.x() + m_reading->width() > width()) corner.setX(std::max(0, at.x() - 10 - m_reading->width()));
+  if (corner.y() + m_reading->height() > height()) corner.setY(std::max(0, at.y() - 10 - m_reading->height()));
+  m_reading->move(corner);
+  m_reading->show();
+  m_reading->raise();
 }
 
 Target SceneView::target() const {
@@ -321,6 +358,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
         m_hoverClock.restart();
         const auto hit = pickAt(at);
         m_selection.hover(hit ? idOf(hit->object) : std::string());
+        readAt(hit);
       }
       break;
   }
@@ -396,6 +434,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 
 void SceneView::leaveEvent(QEvent*) {
   m_selection.hover({});
+  readAt(std::nullopt);
   if (isAuthoring()) m_authoring->leave();
 }
 

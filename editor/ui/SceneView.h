@@ -8,11 +8,13 @@
 #include <optional>
 
 #include "editor/core/DisplayState.h"
+#include "editor/core/FieldView.h"
 #include "editor/core/PlayLink.h"
 #include "editor/core/ToolDrag.h"
 #include "editor/core/tools/Authoring.h"
 #include "editor/render/SceneRenderer.h"
 
+class QLabel;
 class QOpenGLFramebufferObject;
 
 namespace glenoid {
@@ -43,6 +45,10 @@ class SceneView : public QOpenGLWidget {
 
   /// Whose the left button is while a tool of it is active; it must outlive the view or be taken back with null.
   void setAuthoring(Authoring* authoring);
+
+  /// What colours the parts, and what is read where the mouse points, in a small label beside it. It must outlive the view or
+  /// be taken back with null.
+  void setField(FieldView* field);
 
   /// Frames drawn in the last second.
   double framesPerSecond() const;
@@ -85,6 +91,8 @@ class SceneView : public QOpenGLWidget {
   QPointF device(const QPointF& logical) const { return logical * devicePixelRatioF(); }
   std::optional<PickHit> pickAt(const QPointF& logical);
   std::string idOf(int object) const;
+  void readAt(const std::optional<PickHit>& hit);
+  void refreshReading();
   Box3 boundsOf(const std::set<std::string>& ids);
   void beginToolDrag(int tool, const QPointF& at);
   void endGesture();
@@ -95,6 +103,9 @@ class SceneView : public QOpenGLWidget {
   DisplayState& m_display;
   Selection& m_selection;
   Authoring* m_authoring = nullptr;
+  FieldView* m_field = nullptr;
+  QLabel* m_reading;                           ///< hidden while there is nothing to read
+  std::optional<FieldView::Place> m_readPlace; ///< where the mouse points, on the part: it goes with it
   bool m_software;
   std::unique_ptr<SceneRenderer> m_renderer;
   std::shared_ptr<const Model> m_model;  ///< what the renderer holds

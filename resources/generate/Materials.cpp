@@ -44,7 +44,7 @@ std::vector<Material> shoulderMaterials() {
              "Matsuhashi 2014 (592 and 218 MPa); Cronje 2025 (60–67 MPa)"),
       tissue("coracoacromial", "Coracoacromial ligament", Appearance::Ligament, 1120, 100, 4, 0.45,
              "Soslowsky 1996; modulus from 80 N/mm, 34 mm, 25 mm²"),
-      tissue("coracohumeral", "Coracohumeral ligament", Appearance::Ligament, 1120, 30, 2, 0.45,
+      tissue("coracohumeral", "Coracohumeral ligament", Appearance::Ligament, 1120, 30, 3.5, 0.45,
              "Boardman 1996, 36.7 N/mm; modulus from 40 mm, 50 mm²"),
       tissue("transverse-humeral", "Transverse humeral ligament", Appearance::Ligament, 1120, 30, 30, 0.45,
              "As the coracohumeral ligament; the part is rigid"),

@@ -36,6 +36,12 @@ const Row kRows[] = {
     {"biceps-tendon", "Biceps tendon", PartKind::Rigid, 0, {0.95f, 0.93f, 0.85f}},
 };
 
+/// Thin bands, whose cells follow them.
+bool isBand(const std::string& part) { return part == "coracoacromial-ligament" || part == "coracohumeral-ligament"; }
+
+/// Bands and a slender tendon: in cells they bend, in tetrahedra hardly.
+bool bendsInCells(const std::string& part) { return isBand(part) || part == "labrum-tendon"; }
+
 std::vector<Exclusion> exclusions() {
   const char* const belly =
       "The belly is bonded to its fossa over a large surface, so the two do not move against each other.";
@@ -135,7 +141,8 @@ JointRecipe shoulderRecipe() {
     part.kind = kRows[i].kind;
     part.color = kRows[i].color;
     part.tetrahedra = kRows[i].tetrahedra;
-    part.axes = part.kind == PartKind::Soft ? GridAxes::Principal : GridAxes::World;
+    if (bendsInCells(part.id)) part.elements = Elements::Cells;
+    part.axes = isBand(part.id) ? GridAxes::Band : part.kind == PartKind::Soft ? GridAxes::Principal : GridAxes::World;
     part.regions = regionsOf(part.id, surfaces[i].visual, bones);
     part.landmarks = landmarksOf(part.id, bones);
     part.materials = materialsOf(part.id);

@@ -23,6 +23,12 @@ uniform float wet;         // 0...1, film of fluid
 uniform float occluded;    // 0...1, how much hollows darken
 uniform vec4 tint;         // linear colour and strength: selected, hovered
 uniform vec3 up_V;         // the world's vertical in camera axes
+#ifdef FIELD
+in float shownValue;
+uniform sampler1D scale;   // sRGB, from low to high
+uniform vec2 ends;         // values at its ends
+uniform bool valued;       // or `color` alone
+#endif
 out vec4 shaded;
 
 #ifdef DETAIL
@@ -91,6 +97,33 @@ vec3 litBy(vec3 light, vec3 radiance, float wrap, float rough, vec3 n, vec3 v, v
   return radiance * (diffuse + spread * visible * fresnel * lit);
 }
 
+#ifdef FIELD
+// What the tone curve of compose.frag turns into c.
+vec3 beforeTone(vec3 c) {
+  float m = dot(c, vec3(0.2126, 0.7152, 0.0722)), a = 0.9 / (3.2 * 3.2), b = 0.9 - 0.6 * m;
+  float light = (sqrt(b * b + 4.0 * a * m) - b) / (2.0 * a);
+  return m > 1e-6 ? c * (light / m) : c;
+}
+
+vec3 fromSrgb(vec3 c) {
+  return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, vec3(lessThanEqual(c, vec3(0.04045))));
+}
+
+// Colours that are to be read: those of the scale where the surface faces the viewer, darker where it turns away and in
+// hollows, no light of any colour and no highlight.
+vec3 readable(float nv, bool outside) {
+  vec3 base = color;
+  if (valued) {
+    float entries = float(textureSize(scale, 0));
+    float share = clamp((shownValue - ends.x) / (ends.y - ends.x), 0.0, 1.0);
+    base = fromSrgb(texture(scale, (share * (entries - 1.0) + 0.5) / entries).rgb);
+  }
+  float shade = mix(0.42, 1.0, smoothstep(0.0, 0.85, nv));
+  shade *= 1.0 - occluded * 0.45 * (1.0 - (outside ? sky : 1.0));
+  return beforeTone(outside ? base * shade : vec3(0.12) * shade);
+}
+#endif
+
 void main() {
   vec3 face = normalize(cross(dFdx(p_V), dFdy(p_V)));  // towards the viewer
   vec3 v = normalize(-p_V);
@@ -101,6 +134,11 @@ void main() {
   float nv = dot(n, v);
   if (nv < 0.02) n = normalize(n + (0.02 - nv) * v);
   nv = clamp(dot(n, v), 0.0, 1.0);
+#ifdef FIELD
+  float covers = opacity >= 1.0 ? 1.0 : clamp(opacity, 0.0, 1.0);
+  shaded = vec4(readable(nv, outside) * covers, covers);
+  return;
+#endif
 
   // Tendon: pearly, silky. Cartilage: bluish white, smooth. Fat: yellow, moist.
   float tendon = smoothstep(0.15, 0.85, share.x), fat = 0.0;

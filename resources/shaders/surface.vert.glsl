@@ -5,6 +5,10 @@ layout(location = 1) in vec3 normal_W;
 layout(location = 2) in vec4 tissue;  // shares of tendon and cartilage; depth into the fat; nail
 layout(location = 3) in vec3 grain;   // across, through and along the fibres, or rest position; m
 layout(location = 4) in float open;   // share of open sky, cast once
+#ifdef FIELD
+layout(location = 5) in float value;
+out float shownValue;
+#endif
 uniform mat4 worldToView;
 uniform mat4 viewToClip;
 uniform int shafts;         // tools near which tissue darkens
@@ -39,6 +43,9 @@ float patches(vec3 at) {
 
 void main() {
   p_W = position_W;
+#ifdef FIELD
+  shownValue = value;
+#endif
   share = tissue;
   grainAt = grain;
   p_V = (worldToView * vec4(position_W, 1.0)).xyz;

@@ -54,25 +54,25 @@ bool PairSearch::facesAlong(const Side& side, int e, const Vec3& n) const {
   return true;
 }
 
-/// Whether past its end at a vertex the edge's surface rises over the plane with the unit normal n that touches it along the
-/// edge: a valley across the edge, in which two features bound what slides along it.
-bool PairSearch::risesBeyond(const Side& side, int e, int end, const Vec3& n) const {
+/// Sine of the angle by which past an edge's end, at a vertex, its surface rises over the plane with the unit normal n that touches
+/// it along the edge; 0 where it does not rise by more than bumps do. Where it does, two features bound what slides there.
+double PairSearch::riseBeyond(const Side& side, int e, int end, const Vec3& n) const {
   const MovingSurface& surface = *side.surface;
   const CollisionSurface& s = surface.topology();
   const int v = s.edges[e].vertices[end];
   const Vec3 out = surface.x(v) - surface.x(s.edges[e].vertices[1 - end]);
+  double steepest = kWidened;
   for (const int other : s.edgesOf(v)) {
     if (!side.owners->edgeTakesPart[other]) continue;
     const auto& ends = s.edges[other].vertices;
     const Vec3 way = surface.x(ends[0] == v ? ends[1] : ends[0]) - surface.x(v);
-    if (way.dot(out) <= 0) continue;
-    const double above = n.dot(way);
-    if (above > 0 && above * above > kWidened * kWidened * way.squaredNorm()) return true;
+    const double length = way.norm();
+    if (way.dot(out) > 0 && n.dot(way) > steepest * length) steepest = n.dot(way) / length;
   }
-  return false;
+  return steepest > kWidened ? steepest : 0;
 }
 
-void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
+void PairSearch::edgeNearEdge(int ea, int eb) {
   if (m_self) {
     if (m_self->edgesShare(ea, eb)) return;
     if (eb < ea) std::swap(ea, eb);
@@ -88,11 +88,13 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
   const double furthest = std::max(m_settings.contactDistance + m_ahead, m_edgeDepth);
   const double offset = n.dot(between);
   if (offset * offset > furthest * furthest * n2) return;
-  const double sAll = between.cross(db).dot(n) / n2, tAll = between.cross(da).dot(n) / n2;
-  const double s = std::clamp(sAll, 0.0, 1.0), t = std::clamp(tAll, 0.0, 1.0);
-  const bool within = sAll > 0 && sAll < 1 && tAll > 0 && tAll < 1;
-  const double past2 = std::max((sAll - s) * (sAll - s) * da.squaredNorm(), (tAll - t) * (tAll - t) * db.squaredNorm());
-  if (!within && !(past2 <= reach * reach)) return;
+  // Times n2. Most pairs end here.
+  const double s = between.cross(db).dot(n), t = between.cross(da).dot(n);
+  const double pastA = std::max({-s, s - n2, 0.0}), pastB = std::max({-t, t - n2, 0.0});
+  const double past = std::max(pastA * pastA * da.squaredNorm(), pastB * pastB * db.squaredNorm());
+  const double slideMost = m_settings.contactDistance;
+  if (past > slideMost * slideMost * n2 * n2) return;
+  const bool within = s > 0 && s < n2 && t > 0 && t < n2;
 
   // n from b to a, by the side of the edges on which their faces lie.
   const bool dentableB = b.bend(eb) == MovingSurface::Bend::Dentable;
@@ -100,21 +102,26 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
   if (dentableB ? n.dot(b.edgeNormal(eb)) < 0 : n.dot(b.x(edgeB.opposite[0]) + b.x(edgeB.opposite[1]) - 2 * b0) > 0) n = -n;
   const double gap = -n.dot(between);
   if (gap < -m_edgeDepth) return;
-  Proximity contact;
-  contact.pair = m_settings.pair;
-  contact.a = edgePoint(edgeA, s);
-  contact.b = edgePoint(edgeB, t);
-  if (!within) {
-    double slide = std::max(m_touching, -gap);
-    for (int motion = 0; motion < m_settings.motionCount; ++motion)
-      slide = std::max(slide, m_settings.dt * (velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b)).norm());
-    slide = std::min(slide, m_settings.contactDistance + m_ahead);
-    if (past2 > slide * slide) return;
-    if ((s == 0 || s == 1) && !risesBeyond(m_a, ea, s > 0, -n)) return;
-    if ((t == 0 || t == 1) && !risesBeyond(m_b, eb, t > 0, n)) return;
-  }
   if (!facesAlong(m_b, eb, n) || !facesAlong(m_a, ea, -n)) return;
 
+  Proximity contact;
+  contact.pair = m_settings.pair;
+  const double onA = std::clamp(s / n2, 0.0, 1.0), onB = std::clamp(t / n2, 0.0, 1.0);
+  contact.a = edgePoint(edgeA, onA);
+  contact.b = edgePoint(edgeB, onB);
+  if (!within) {
+    double slide = std::max(m_touching, -gap), closing = 0;
+    for (int motion = 0; motion < m_settings.motionCount; ++motion) {
+      const Vec3 way = m_settings.dt * (velocityOf(a, motion, contact.a) - velocityOf(b, motion, contact.b));
+      slide = std::max(slide, (way - way.dot(n) * n).norm());
+      closing = std::max(closing, -way.dot(n));
+    }
+    if (past > slide * slide * n2 * n2) return;
+    // Sliding brings them nearer to the plane by the sine of what rises at most.
+    const auto reaches = [&](double rise) { return rise > 0 && gap - closing < slide * rise; };
+    if (!(s > 0 && s < n2) && !reaches(riseBeyond(m_a, ea, s > 0, -n))) return;
+    if (!(t > 0 && t < n2) && !reaches(riseBeyond(m_b, eb, t > 0, n))) return;
+  }
   contact.normal_W = n;
   contact.gap = gap;
   double distance = m_settings.contactDistance;
@@ -123,7 +130,7 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
     if (gap < 0 && !SelfRest::cameFromOutside(apart, -gap)) return;
     distance = SelfRest::contactDistance(distance, apart);
     if (m_self->sameCell(contact.a, contact.b)) return;
-    if (gap < -m_touching && !covered(a0 + s * da, -n) && !covered(b0 + t * db, n)) return;
+    if (gap < -m_touching && !covered(a0 + onA * da, -n) && !covered(b0 + onB * db, n)) return;
   }
   if (!near(distance, gap, n, a, contact.a, b, contact.b)) return;
   if (gap < -m_shallow) {
@@ -133,8 +140,8 @@ void PairSearch::edgeNearEdge(int ea, int eb, double reach) {
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
     const double least = -kWedge * gap;
     if (!inA && !inB) return;
-    if (inB && !inDepth(m_b, ea, s, a0 + s * da, least)) return;
-    if (inA && !inDepth(m_a, eb, t, b0 + t * db, least)) return;
+    if (inB && !inDepth(m_b, ea, onA, a0 + onA * da, least)) return;
+    if (inA && !inDepth(m_a, eb, onB, b0 + onB * db, least)) return;
   }
   contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
   m_next.resize(m_out->size() + 1);

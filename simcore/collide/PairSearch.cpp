@@ -117,7 +117,7 @@ void PairSearch::trianglePair(int ta, int tb) {
     const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB | bothSoft : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
-      if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j], reach);
+      if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
   }
   if (meetable && overB.crosses() && overA.crosses() && !(liesIn(a, ia, b, tb) && liesIn(b, ib, a, ta)) &&
       !(m_self && m_self->crossAtRest(ta, tb)) && trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {

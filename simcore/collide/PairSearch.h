@@ -93,9 +93,8 @@ class PairSearch {
   bool sameCell(const FeaturePoint& a, const FeaturePoint& b) const { return m_self && m_self->sameCell(a, b); }
 
   // PairEdges.cpp
-  bool risesBeyond(const Side& side, int e, int end, const Vec3& n) const;
-  /// `reach`: how near their triangles come within the step, m.
-  void edgeNearEdge(int ea, int eb, double reach);
+  double riseBeyond(const Side& side, int e, int end, const Vec3& n) const;
+  void edgeNearEdge(int ea, int eb);
   bool facesAlong(const Side& side, int e, const Vec3& n) const;
   /// Whether point t of an edge of the other surface lies so deep in this one.
   bool inDepth(Side& side, int edge, double t, const Vec3& p, double depth);

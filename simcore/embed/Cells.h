@@ -31,15 +31,19 @@ Result<TetMesh> embedInCells(const TriMesh& visual, const TriMesh& collision, do
 
 /// `Band`: along the part's principal axes, the third bent as the part is (BandShape.h), for bands thinner than a cell.
 enum class GridAxes { World, Principal, Band };
+/// Cells along a band are this much wider than they are long: between its ends a band bends along its length, so that is where
+/// its cells are needed. With as many tetrahedra as in the paper's table the shipped coracoacromial ligament then gives 0.9 of
+/// what fine cells give under a probe; in cubes 0.5.
+inline constexpr double kBandCellsWider = 1.6;
 
 /// Principal axes of the area of a surface as a rotation (columns: longest extent first, right-handed).
 Quat principalAxes(const TriMesh& surface);
 
-/// Cubic cells whose tetrahedra come nearest to a wanted number.
+/// Cells, cubic but along a band, whose tetrahedra come nearest to a wanted number.
 struct CellChoice {
   CellGrid grid;
   TetMesh mesh;
-  double cellSize = 0;  ///< m
+  double cellSize = 0;  ///< m: the first edge of a cell
 };
 
 /// Tries cell sizes and shifts of the grid in a fixed order and takes the count nearest to `targetTets` among
@@ -49,10 +53,10 @@ struct CellChoice {
 Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets,
                                GridAxes axes = GridAxes::World);
 
-/// embedInCells with cubes along such axes.
+/// embedInCells with cells of this size along such axes: cubes, but along a band.
 Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, double cellSize, GridAxes axes);
 
-/// Edge of the cells of chooseCells, m; note that its shift of the grid belongs to the answer.
+/// Size of the cells of chooseCells, m; note that its shift of the grid belongs to the answer.
 Result<double> cellSizeFor(const TriMesh& visual, const TriMesh& collision, int targetTets,
                            GridAxes axes = GridAxes::World);
 

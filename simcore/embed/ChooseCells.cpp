@@ -26,10 +26,13 @@ struct Trial {
   bool operator<(const Trial& o) const { return miss != o.miss ? miss < o.miss : volume < o.volume; }
 };
 
-CellGrid cubes(const Quat& frame, double size, const Vec3& shift) {
+/// Edges of a cell in its size.
+Vec3 shapeOf(GridAxes axes) { return axes == GridAxes::Band ? Vec3(1, kBandCellsWider, 1) : Vec3::Ones(); }
+
+CellGrid gridOf(const Quat& frame, const Vec3& cell, const Vec3& shift) {
   CellGrid grid;
   grid.frame.q_WB = frame;
-  grid.cell = Vec3::Constant(size);
+  grid.cell = cell;
   grid.shift = shift;
   return grid;
 }
@@ -74,8 +77,8 @@ Quat principalAxes(const TriMesh& surface) {
 
 namespace {
 
-/// chooseCells along given axes.
-Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision, int targetTets, const Quat& frame) {
+/// chooseCells along given axes, in cells of a shape.
+Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision, int targetTets, const Quat& frame, const Vec3& shape) {
   if (targetTets < 1 || targetTets > kMostTets)
     return Error{Fault::OutOfRange,
                  {},
@@ -95,11 +98,11 @@ Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision
 
   // From one cell around everything downwards in steps of 2 %, so that no grid is ever much finer than
   // needed; cells that were full of tissue would need size `full`, and partly full ones more.
-  const double full = std::cbrt(5 * std::max(enclosedVolume(visual), enclosedVolume(collision)) / targetTets);
+  const double full = std::cbrt(5 * std::max(enclosedVolume(visual), enclosedVolume(collision)) / (targetTets * shape.prod()));
   const double largest = 2 * boundsOf(visual).merged(boundsOf(collision)).diagonal().norm();
   std::vector<double> sizes;
   for (double size = largest; size > 0.9 * full; size /= 1.02) {
-    const int count = countOf(tried, cubes(frame, size, Vec3::Zero()));
+    const int count = countOf(tried, gridOf(frame, size * shape, Vec3::Zero()));
     if (count >= 0.6 * targetTets && count <= 1.6 * targetTets) sizes.push_back(size);
     if (count > 2.5 * targetTets) break;
   }
@@ -109,7 +112,7 @@ Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision
   for (const double size : sizes)
     for (int s = 0; s < shifts; ++s) {
       const Vec3 shift = Vec3(s % 3, s / 3 % 3, s / 9) / 3.0;
-      const CellGrid grid = cubes(frame, size, shift);
+      const CellGrid grid = gridOf(frame, size * shape, shift);
       const int count = countOf(tried, grid);
       if (std::abs(count - targetTets) <= 0.15 * targetTets)
         trials.push_back({grid, std::abs(count - targetTets), count * size * size * size});
@@ -151,16 +154,16 @@ Result<Done> requireBothClosed(const TriMesh& visual, const TriMesh& collision) 
 Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, int targetTets, GridAxes axes) {
   if (const auto closed = requireBothClosed(visual, collision); !closed) return closed.error();
   const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
-  if (axes != GridAxes::Band) return chooseInFrame(visual, collision, targetTets, frame);
+  if (axes != GridAxes::Band) return chooseInFrame(visual, collision, targetTets, frame, shapeOf(axes));
   const FlatPart flat(visual, collision);
-  auto choice = chooseInFrame(flat.visual, flat.collision, targetTets, frame);
+  auto choice = chooseInFrame(flat.visual, flat.collision, targetTets, frame, shapeOf(axes));
   if (choice) flat.bend(choice->mesh);
   return choice;
 }
 
 Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, double cellSize, GridAxes axes) {
   CellGrid grid;
-  grid.cell = Vec3::Constant(cellSize);
+  grid.cell = cellSize * shapeOf(axes);
   if (axes != GridAxes::World) grid.frame.q_WB = principalAxes(visual);
   if (axes != GridAxes::Band) return embedInCells(visual, collision, grid);
   if (const auto closed = requireBothClosed(visual, collision); !closed) return closed.error();

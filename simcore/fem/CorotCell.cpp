@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "simcore/fem/CellModes.h"
 #include "simcore/fem/CellShape.h"
@@ -42,11 +43,67 @@ Lame meanCompliance(std::span<const CellTissue> tissue, double volume) {
   return {volume / bulk - 2.0 / 3 * mu, mu};
 }
 
+/// Opposite edges are parallel and of one length, so that shape gradients are linear in each of ξ, η, ζ.
+bool isAffine(const Mat38& corners) {
+  const double size = (corners.col(7) - corners.col(0)).norm();
+  for (int i = 0; i < 8; ++i) {
+    Vec3 wanted = corners.col(0);
+    for (int a = 0; a < 3; ++a)
+      if (i >> a & 1) wanted += corners.col(1 << a) - corners.col(0);
+    if ((corners.col(i) - wanted).norm() > 1e-9 * size) return false;
+  }
+  return true;
+}
+
+/// Strain that the corners' displacements make, of no higher degree than one in each of ξ, η, ζ, so that the moments integrate its
+/// squares exactly. Their weights may be negative: what they do not integrate exactly may come out with a negative stiffness,
+/// and does in a cell twisted by its band whose tissue is thin. A twisted cell has the trilinear field through the true
+/// strains at the mean of the tissue ± its standard deviations (Gauss's points of a full cell), its mean over the tissue made the true one,
+/// as Hughes, Int. J. Numer. Methods Eng. 15, 1980, replaces parts of B; constant strains stay what they are.
+class CornerStrains {
+ public:
+  CornerStrains(const Mat38& corners, const BoxMoments& tissue, const Mat38& meanGradients) : m_corners(corners) {
+    if (isAffine(corners)) return;
+    constexpr double kLeastWidth = 1e-3;
+    const Vec3 mean = meanOf(tissue), width = varianceOf(tissue).cwiseMax(0.0).cwiseSqrt().cwiseMax(kLeastWidth);
+    m_low = mean - width;
+    m_wide = 2 * width;
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 at = m_low + Vec3(k & 1, k >> 1 & 1, k >> 2).cwiseProduct(m_wide);
+      m_known.push_back(strainsOf(shapeGradients({at.x(), at.y(), at.z()}, corners)));
+    }
+    Mat6x24 sum = Mat6x24::Zero();
+    for (const BoxPoint& point : boxPoints(tissue)) sum += point.weight * at(point.xi);
+    m_shift = strainsOf(meanGradients) - sum / tissue.volume();
+  }
+
+  Mat6x24 at(const std::array<double, 3>& xi) const {
+    if (m_known.empty()) return strainsOf(shapeGradients(xi, m_corners));
+    Mat6x24 B = m_shift;
+    for (int k = 0; k < 8; ++k) {
+      double share = 1;
+      for (int a = 0; a < 3; ++a) {
+        const double along = (xi[a] - m_low[a]) / m_wide[a];
+        share *= k >> a & 1 ? along : 1 - along;
+      }
+      B += share * m_known[k];
+    }
+    return B;
+  }
+
+ private:
+  Mat38 m_corners;
+  Vec3 m_low = Vec3::Zero(), m_wide = Vec3::Ones();
+  std::vector<Mat6x24> m_known;  ///< none where the cell is not twisted
+  Mat6x24 m_shift = Mat6x24::Zero();
+};
+
 /// K_uu − K_ua K_aa⁻¹ K_uaᵀ, and what the modes do, into `modes`, whose corners are given.
-Mat24 condensedStiffness(std::span<const CellTissue> tissue, CellModes& modes) {
+Mat24 condensedStiffness(std::span<const CellTissue> tissue, const Mat38& meanGradients, CellModes& modes) {
   BoxMoments all;
   for (const CellTissue& t : tissue) all += t.moments;
   const Vec3 centroid = meanOf(all);
+  const CornerStrains strains(modes.corners_E, all, meanGradients);
   modes.inMiddle_E = toGradients({0, 0, 0}, modes.corners_E);
   modes.mean = modeStrains({centroid.x(), centroid.y(), centroid.z()}, modes.inMiddle_E);
   Mat24 K = Mat24::Zero();
@@ -57,7 +114,7 @@ Mat24 condensedStiffness(std::span<const CellTissue> tissue, CellModes& modes) {
     const Mat6 D = elasticityOf(t.lame);
     stiffest = {std::max(stiffest.lambda, t.lame.lambda), std::max(stiffest.mu, t.lame.mu)};
     for (const BoxPoint& point : boxPoints(t.moments)) {
-      const Mat6x24 B = strainsOf(shapeGradients(point.xi, modes.corners_E));
+      const Mat6x24 B = strains.at(point.xi);
       const Mat6x9 E = modeStrains(point.xi, modes.inMiddle_E) - modes.mean;
       const Mat6x24 stress = D * B;
       K += point.weight * B.transpose() * stress;
@@ -122,7 +179,7 @@ Result<CorotCell> makeCorotCell(const Mat38& corners, std::span<const CellTissue
   cell.lameLow = tissue.size() == 1 ? tissue[0].lame : meanCompliance(tissue, cell.volume);
   CellModes inside;
   inside.corners_E = cell.x0_E;
-  const Mat24 K = condensedStiffness(tissue, inside);
+  const Mat24 K = condensedStiffness(tissue, cell.gradients_E, inside);
   if (modes) *modes = inside;
   cell.K_E = 0.5 * (K + K.transpose());
   return cell;

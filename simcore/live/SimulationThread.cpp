@@ -30,8 +30,11 @@ struct SetModel {
 struct SetRecording {
   std::shared_ptr<const Recording> recording;
 };
+struct WantRotations {
+  bool wanted;
+};
 enum class Order { Play, Pause, StepOnce, Reset, Publish, Quit };
-using Command = std::variant<SetModel, SetRecording, Order>;
+using Command = std::variant<SetModel, SetRecording, WantRotations, Order>;
 
 }  // namespace
 
@@ -56,7 +59,7 @@ struct SimulationThread::Run {
   HandInput hands;
   StepClock clock;
   RateWindow window;
-  bool playing = false, quit = false;
+  bool playing = false, quit = false, rotationsWanted = false;
   long rejectedSteps = 0;
   std::thread thread;
 
@@ -127,6 +130,8 @@ struct SimulationThread::Run {
     watchAnew();
   }
 
+  void apply(WantRotations& want) { rotationsWanted = want.wanted; }
+
   void apply(Order order) {
     switch (order) {
       case Order::Play:
@@ -178,6 +183,11 @@ struct SimulationThread::Run {
     Snapshot& out = snapshots.back();
     out.model = model;
     if (model) out.q = state.q;
+    if (rotationsWanted && model) {
+      out.rotations = state.rotations;
+    } else if (out.rotations.size() > 0) {
+      out.rotations.resize(0);
+    }
     out.time = state.time;
     out.step = state.step;
     out.playing = runs();
@@ -214,6 +224,8 @@ void SimulationThread::play() { m_run->send(Order::Play); }
 void SimulationThread::pause() { m_run->send(Order::Pause); }
 void SimulationThread::stepOnce() { m_run->send(Order::StepOnce); }
 void SimulationThread::reset() { m_run->send(Order::Reset); }
+
+void SimulationThread::setRotationsWanted(bool wanted) { m_run->send(WantRotations{wanted}); }
 
 void SimulationThread::setHands(const std::vector<HandWish>& wishes) {
   m_hands.back() = wishes;

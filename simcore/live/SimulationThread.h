@@ -22,6 +22,7 @@ struct LiveRates {
 struct Snapshot {
   std::shared_ptr<const Model> model;  ///< q belongs to this one; null before the first model
   VecX q;
+  VecX rotations;            ///< State's, for reading tissue; empty unless asked for (setRotationsWanted)
   double time = 0;           ///< s, simulated
   long step = 0;
   bool playing = false;
@@ -63,6 +64,9 @@ class SimulationThread {
   void pause();
   void stepOnce();  ///< pauses, then takes one step
   void reset();     ///< back to the model's start; goes on playing if it was
+
+  /// Whether snapshots hold rotations, from the next one on, which comes at once. Off at first: they are a copy for each step.
+  void setRotationsWanted(bool wanted);
 
   /// Newest wishes by tool order; the run takes them up at its next step.
   void setHands(const std::vector<HandWish>& wishes);

@@ -33,6 +33,16 @@ JsonValue fromPart(const PartReading& part) {
   JsonValue inertia = JsonValue::array();
   for (int row = 0; row < 3; ++row) inertia.append(fromVec(part.inertia_W.row(row)));
   json.set("inertia", std::move(inertia));
+  if (!part.peaks.empty()) {
+    JsonValue peaks = JsonValue::object();
+    for (const PartReading::Peak& peak : part.peaks) {
+      JsonValue one = JsonValue::object();
+      one.set("value", peak.most.value);
+      one.set("at", fromVec(peak.most.at_W));
+      peaks.set(quantityName(peak.quantity), std::move(one));
+    }
+    json.set("peaks", std::move(peaks));
+  }
   if (part.rigid) return json;
   JsonValue nodes = JsonValue::array();
   for (const Vec3& node : part.nodes_W) nodes.append(fromVec(node));

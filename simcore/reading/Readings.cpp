@@ -220,4 +220,16 @@ SceneReading readScene(const Model& model, const State& state, const std::vector
   return out;
 }
 
+void addPeaks(const Model& model, const State& state, const std::vector<ContactView>& contacts, bool stretchLaw, SceneReading& reading) {
+  // The field does not outlive the caller's model.
+  const SurfaceField field(std::shared_ptr<const Model>(std::shared_ptr<const Model>(), &model));
+  for (const Quantity quantity : kQuantities) {
+    const SurfaceValues values = field.read(quantity, state, contacts, stretchLaw);
+    for (std::size_t i = 0; i < reading.parts.size(); ++i) {
+      const auto most = peakOf(model, values, static_cast<int>(i), state.q);
+      if (most && (quantity != Quantity::Contact || most->value > 0)) reading.parts[i].peaks.push_back({quantity, *most});
+    }
+  }
+}
+
 }  // namespace glenoid

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "simcore/file/JsonValue.h"
+#include "simcore/reading/SurfaceField.h"
 #include "simcore/step/Model.h"
 #include "simcore/step/Stepper.h"
 
@@ -24,6 +25,11 @@ struct PartReading {
   Vec3 angularVelocity_W = Vec3::Zero();        ///< rad/s; soft: inertia⁻¹ · angular momentum
   Mat3 inertia_W = Mat3::Zero();                ///< kg·m² about the centre
   std::vector<Vec3> nodes_W;                    ///< m, soft only, in the order of its tetrahedral mesh
+  struct Peak {
+    Quantity quantity;
+    FieldPeak most;
+  };
+  std::vector<Peak> peaks;                      ///< of its visual surface, where they were asked for (addPeaks)
 };
 
 /// Of the last step (of its last part where it was cut).
@@ -71,6 +77,10 @@ std::vector<ContactReading> readContacts(const Model& model, const std::vector<C
 /// linearisation (exact for soft parts, and at rest).
 std::vector<CouplingReading> readCouplings(const Model& model, const State& state);
 SceneReading readScene(const Model& model, const State& state, const std::vector<ContactView>& contacts);
+
+/// The largest value of each quantity on each part's visual surface, and where (SurfaceField). Contact only where something
+/// presses. `reading`: of the same state.
+void addPeaks(const Model& model, const State& state, const std::vector<ContactView>& contacts, bool stretchLaw, SceneReading& reading);
 
 /// As resources/schemas/run-state.schema.json describes. `scenario`: what was asked for.
 JsonValue toJson(const SceneReading& reading, const std::string& scenario);

@@ -3,7 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace glenoid {
 
@@ -30,6 +32,41 @@ std::vector<Neighbour> neighboursOf(std::span<const TissueSample> samples, const
   }
   return near;
 }
+
+/// Samples by the cube of edge `reach` they lie in, so that all within reach of a place are in the 27 around it.
+class SampleGrid {
+ public:
+  SampleGrid(std::span<const TissueSample> samples, double reach) : m_samples(samples), m_reach(reach) {
+    for (std::size_t i = 0; i < samples.size(); ++i) m_cubes[cubeOf(samples[i].at_E)].push_back(static_cast<int>(i));
+  }
+  /// Samples around a place, ascending. Nothing where these may not be all that recoveryWeights would take: too few of the
+  /// nearest one's material within reach.
+  std::vector<int> around(const Vec3& at) const {
+    std::vector<int> found;
+    const std::array<int, 3> middle = cubeOf(at);
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          if (const auto cube = m_cubes.find({middle[0] + x, middle[1] + y, middle[2] + z}); cube != m_cubes.end())
+            found.insert(found.end(), cube->second.begin(), cube->second.end());
+    if (found.empty()) return {};
+    std::sort(found.begin(), found.end());
+    const auto away = [&](int i) { return (m_samples[i].at_E - at).squaredNorm(); };
+    const int nearest = *std::min_element(found.begin(), found.end(), [&](int a, int b) { return away(a) < away(b); });
+    const double sure = m_reach * m_reach / 1.45;  // 1.2²: so near that the reach is not grown
+    std::size_t enough = 0;
+    for (const int i : found) enough += alike(m_samples[i].lame, m_samples[nearest].lame) && away(i) < m_reach * m_reach;
+    return away(nearest) < sure && enough >= kEnough ? found : std::vector<int>();
+  }
+
+ private:
+  std::array<int, 3> cubeOf(const Vec3& at) const {
+    return {static_cast<int>(std::floor(at.x() / m_reach)), static_cast<int>(std::floor(at.y() / m_reach)), static_cast<int>(std::floor(at.z() / m_reach))};
+  }
+  std::span<const TissueSample> m_samples;
+  double m_reach;
+  std::map<std::array<int, 3>, std::vector<int>> m_cubes;
+};
 
 }  // namespace
 
@@ -63,6 +100,25 @@ std::vector<SampleWeight> recoveryWeights(std::span<const TissueSample> samples,
   std::vector<SampleWeight> weights;
   for (const Neighbour& n : near) weights.push_back({n.index, n.weight / sum * (1 + slope.dot(samples[n.index].at_E - mean))});
   return weights;
+}
+
+RecoveryTable recoveryTable(std::span<const TissueSample> samples, std::span<const Vec3> places_E, double reach) {
+  RecoveryTable table;
+  if (samples.empty() || !(reach > 0)) return table;
+  const SampleGrid grid(samples, reach);
+  table.first.push_back(0);
+  std::vector<TissueSample> near;
+  for (const Vec3& place : places_E) {
+    const std::vector<int> around = grid.around(place);
+    near.clear();
+    for (const int i : around) near.push_back(samples[i]);
+    for (const SampleWeight& w : recoveryWeights(around.empty() ? samples : std::span<const TissueSample>(near), place, reach)) {
+      table.index.push_back(around.empty() ? w.index : around[w.index]);
+      table.weight.push_back(static_cast<float>(w.weight));
+    }
+    table.first.push_back(static_cast<int>(table.index.size()));
+  }
+  return table;
 }
 
 ElementReading recovered(std::span<const SampleWeight> weights, std::span<const ElementReading> readings) {

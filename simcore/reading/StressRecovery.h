@@ -26,6 +26,18 @@ std::vector<SampleWeight> recoveryWeights(std::span<const TissueSample> samples,
 /// The weighted sum.
 ElementReading recovered(std::span<const SampleWeight> weights, std::span<const ElementReading> readings);
 
+/// The weights of many places, one after another in the same arrays: those of place v are [first[v], first[v + 1]).
+struct RecoveryTable {
+  std::vector<int> first;     ///< one more than places
+  std::vector<int> index;
+  std::vector<float> weight;  ///< a fit is worth six digits at most
+  std::size_t places() const { return first.empty() ? 0 : first.size() - 1; }
+};
+
+/// recoveryWeights of each place (rest, m), found through a grid, so that time grows with places and not with their product
+/// with samples.
+RecoveryTable recoveryTable(std::span<const TissueSample> samples, std::span<const Vec3> places_E, double reach);
+
 /// A reach that holds some elements on every side: 1.6 edges of the cells that five tetrahedra each come from, m.
 double recoveryReach(const TetMesh& mesh);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "simcore/file/Schema.h"
@@ -28,6 +29,26 @@ TEST(Readings, theShippedShoulderTellsItsStateItsTraceAndItsTissue) {
   EXPECT_DOUBLE_EQ(json["time"], 0.2);
   EXPECT_EQ(json["parts"].size(), 13u);  // eleven and two tools
   EXPECT_GT(json["couplings"].size(), 5u);
+  for (const Json& part : json["parts"]) {
+    const std::string kind = part["kind"];
+    if (kind == "soft") {
+      EXPECT_TRUE(part.contains("peaks")) << part["id"];
+    } else if (!part.contains("peaks") || kind == "tool") {
+      EXPECT_FALSE(part.contains("peaks"));
+      continue;
+    } else {
+      EXPECT_EQ(part["peaks"].size(), 1u) << "a bone has contact alone";
+      EXPECT_GT(part["peaks"]["contact"]["value"], 0);
+      continue;
+    }
+    const Json& peaks = part["peaks"];
+    EXPECT_GT(peaks["stress"]["value"], 0) << part["id"];
+    EXPECT_GT(peaks["strain"]["value"], 0) << part["id"];
+    EXPECT_TRUE(peaks["pressure"]["value"].is_number());
+    const double away = std::hypot(peaks["stress"]["at"][0].get<double>() - part["centre"][0].get<double>(),
+                                   peaks["stress"]["at"][1].get<double>() - part["centre"][1].get<double>());
+    EXPECT_LT(away, 0.2) << "on the part";
+  }
   const std::string table = readText(trace);
   EXPECT_EQ(lineCount(table), 1 + 5);
   EXPECT_EQ(table.rfind("time,penetration,humerus.x,humerus.y,humerus.z,humerus.vx", 0), 0u);

@@ -44,6 +44,49 @@ TEST(Sheets, bothApplications) {
   test::expectPicture(pictureOf("builtin:palpation --time 2.4 --camera lateral --size 225x175"), "application-palpation");
 }
 
+TEST(Sheets, coloursOfWhatPartsBear) {
+  test::expectPicture(pictureOf("builtin:arthroscopy --time 2 --camera anterior --colour stress --size 480x320"), "colours-stress");
+  test::expectPicture(pictureOf("builtin:arthroscopy --time 2 --camera anterior --colour pressure --colour-range -50kPa:0.1MPa --size 480x320"),
+                      "colours-pressure");
+}
+
+TEST(Sheets, aRunColoursItsLastPicture) {
+  const std::filesystem::path folder = testing::freshFolder();
+  const auto run = [&](const std::string& more, const char* name) {
+    const std::string file = (folder / name).string();
+    const testing::Outcome outcome = testing::glenoidProgram("run builtin:arthroscopy --steps 20 --render " + file + more);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return readPng(file).value();
+  };
+  EXPECT_FALSE(test::alike(compareImages(run("", "plain.png"), run(" --colour contact", "contact.png"))));
+}
+
+TEST(Sheets, aRangeMayHaveUnitsAndIsWhatWasAskedFor) {
+  const auto with = [](const char* range) {
+    return pictureOf(std::string("builtin:arthroscopy --time 0.1 --camera anterior --size 200x150 --colour strain --colour-range ") + range);
+  };
+  const Image percent = with("0:2%");
+  EXPECT_TRUE(test::alike(compareImages(percent, with("0:0.02"))));
+  EXPECT_FALSE(test::alike(compareImages(percent, with("0:0.2"))));
+}
+
+TEST(Sheets, coloursThatCannotBeAreSaidInOneSentence) {
+  const std::string file = (testing::freshFolder() / "x.png").string();
+  for (const std::string& words :
+       {"render builtin:arthroscopy --colour beauty --out " + file, "render builtin:arthroscopy --colour-range 0:1 --out " + file,
+        "render builtin:arthroscopy --colour stress --colour-range 5 --out " + file, "render builtin:arthroscopy --colour stress --colour-range 5:1 --out " + file,
+        "render builtin:arthroscopy --colour stress --colour-range 0:20% --out " + file, "render builtin:arthroscopy --colour strain --colour-range 0:1kPa --out " + file,
+        "render builtin:arthroscopy --colour stress --colour-range 0:nan --out " + file, "render builtin:arthroscopy --colour contact --out " + file,
+        // Hours of simulation would not end within the time of a test: it is said before.
+        std::string("run builtin:arthroscopy --steps 5000000 --colour stress"), "run builtin:arthroscopy --steps 5000000 --colour beauty --render " + file}) {
+    const testing::Outcome outcome = testing::glenoidProgram(words);
+    EXPECT_EQ(outcome.status, 2) << words;
+    EXPECT_EQ(testing::lineCount(outcome.err), 1) << words << outcome.err;
+    EXPECT_NE(outcome.err.find("--colour"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(file)) << words;
+  }
+}
+
 TEST(Sheets, withoutSkinThereIsOnePanelLess) {
   // Three panels of 100 pixels: bones, ligaments, muscles.
   EXPECT_EQ(pictureOf("builtin:shoulder --sheet anatomy --size 302x100").width, 300);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "tests/editor/render/PictureCheck.h"
 #include "tests/editor/render/TestScene.h"
 
@@ -128,6 +130,92 @@ TEST_F(Pictures, marksOnTriangles) {
   const Image image = draw(layers);
   EXPECT_FALSE(alike(compareImages(image, draw())));
   expectPicture(image, "small-marks");
+}
+
+/// A value for each vertex of the ball: its height over the ball's middle, m, from −0.04 to 0.04.
+FieldLook heights(const Model& model) {
+  auto values = std::make_shared<std::vector<std::vector<float>>>(model.objects.size());
+  for (const Vec3& x : model.objects[kBall].visual.mesh->vertices) (*values)[kBall].push_back(static_cast<float>(x.y()));
+  FieldLook field;
+  field.values = values;
+  field.low = -0.04;
+  field.high = 0.04;
+  field.title = "Height (mm)";
+  field.ticks = {{-0.04, "−40"}, {-0.02, "−20"}, {0, "0"}, {0.02, "20"}, {0.04, "40"}};
+  return field;
+}
+
+TEST_F(Pictures, valuesAreColoursWithAScale) {
+  Layers layers;
+  layers.field = heights(m_model);
+  expectPicture(draw(layers), "small-field");
+  layers.field->low = 0;  // one way only, and nothing is no colour
+  layers.field->zeroIsNone = true;
+  layers.field->ticks = {{0, "0"}, {0.02, "20"}, {0.04, "≥ 40"}};
+  Look dark;
+  dark.dark = true;
+  expectPicture(draw(layers, dark), "small-field-dark");
+}
+
+TEST_F(Pictures, whatFacesTheViewerHasTheColourOfTheScale) {
+  Layers layers;
+  layers.field = heights(m_model);
+  layers.marker = false;
+  layers.field->title.clear();
+  Look look;
+  look.ambientOcclusion = false;
+  const View facing = viewFrom(Side::Lateral, sceneBounds(m_model, m_model.start.q), 4.0 / 3);  // the ball is foremost
+  look.samples = 1;
+  const auto colourAt = [&](double height) {
+    const auto image = m_renderer->picture(facing, m_model.start.q, layers, {}, look, 320, 240);
+    const auto pixel = projected(facing, Vec3(0, height, 0.05 + std::sqrt(0.04 * 0.04 - height * height)), 320, 240);
+    return image->at(static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+  };
+  for (const auto& [low, high] : {std::pair(-0.04, 0.04), {-0.01, 0.04}, {0.0, 0.02}, {-0.02, -0.001}}) {
+    layers.field->low = low;
+    layers.field->high = high;
+    for (const double height : {-0.012, -0.004, 0.0, 0.008, 0.013}) {
+      const auto seen = colourAt(height);
+      const auto wanted = colorOf(*layers.field, height);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], 255 * wanted[c], 14) << low << " " << high << " at " << height << ", channel " << c;
+    }
+  }
+  // A part without values is the neutral grey, in another colour of its own too; the tool keeps its look.
+  layers.objects.resize(4);
+  layers.objects[kBall].visible = false;
+  layers.objects[kBox].color = {0.1f, 0.9f, 0.1f};
+  const View front = viewFrom(Side::Lateral, sceneBounds(m_model, m_model.start.q), 4.0 / 3);
+  const auto image = m_renderer->picture(front, m_model.start.q, layers, {}, look, 320, 240);
+  const auto pixel = projected(front, Vec3(0, -0.03, -0.025), 320, 240);
+  const auto box = image->at(static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(box[c], 255 * kNeutralColor[c], 8);
+}
+
+TEST_F(Pictures, valuesThatDoNotFitAreNoneAndOthersReplaceThem) {
+  Layers layers;
+  layers.field = heights(m_model);
+  const Image first = draw(layers);
+  auto other = std::make_shared<std::vector<std::vector<float>>>(*layers.field->values);
+  for (float& value : (*other)[kBall]) value = -value;
+  layers.field->values = other;
+  EXPECT_FALSE(alike(compareImages(first, draw(layers)))) << "other values, other colours";
+  other = std::make_shared<std::vector<std::vector<float>>>(*layers.field->values);
+  (*other)[kBall].pop_back();
+  layers.field->values = other;
+  const Image grey = draw(layers);
+  layers.field->values.reset();
+  EXPECT_TRUE(alike(compareImages(grey, draw(layers))));
+  layers.field = heights(m_model);
+  EXPECT_TRUE(alike(compareImages(first, draw(layers))));
+  ASSERT_TRUE(m_renderer->setScene(m_model).ok());  // the same scene again wants its values again
+  EXPECT_TRUE(alike(compareImages(first, draw(layers))));
+  EXPECT_TRUE(alike(compareImages(draw(), draw({}, {})))) << "and without a field nothing is left of it";
+}
+
+TEST_F(Pictures, namesKeepClearOfTheLegend) {
+  Layers layers = words("visual,labels");
+  layers.field = heights(m_model);
+  expectPicture(draw(layers), "small-field-labels");
 }
 
 TEST_F(Pictures, aMissingPartIsNoticed) {

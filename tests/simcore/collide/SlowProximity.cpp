@@ -76,6 +76,16 @@ struct Mesh {
     return most;
   }
 
+  /// Sine of the steepest edge that leaves a vertex forwards and over the plane with the normal n; 0: none does.
+  double dips(int vertex, const Vec3& forwards, const Vec3& n) const {
+    double most = 0;
+    for (const auto& [edge, triangles] : edges) {
+      if (edge[0] != vertex && edge[1] != vertex) continue;
+      const Vec3 way = (x(edge[0] == vertex ? edge[1] : edge[0]) - x(vertex)).normalized();
+      if (way.dot(forwards) > 0 && way.dot(n) > 0.03) most = std::max(most, way.dot(n));
+    }
+    return most;
+  }
   /// The two faces rise from the edge toward each other.
   bool valley(const std::array<int, 2>& edge) const {
     const std::vector<int>& t = edges.at(edge);
@@ -272,12 +282,19 @@ std::map<Name, SlowContact> slowProximities(const TriMesh& meshA, const TriMesh&
       Eigen::Matrix<double, 3, 2> lines;
       lines << da, -db;
       const Vec2 st = lines.colPivHouseholderQr().solve(b.x(eb[0]) - a.x(ea[0]));
-      if (st.minCoeff() <= 0 || st.maxCoeff() >= 1) continue;
-      const Vec3 pa = a.x(ea[0]) + st[0] * da, pb = b.x(eb[0]) + st[1] * db;
+      const Vec2 on = st.cwiseMax(0.0).cwiseMin(1.0);
+      const double past = std::max(std::abs(st[0] - on[0]) * da.norm(), std::abs(st[1] - on[1]) * db.norm());
+      const Vec3 pa = a.x(ea[0]) + on[0] * da, pb = b.x(eb[0]) + on[1] * db;
       for (const double sign : {1.0, -1.0}) {
         const Vec3 n = sign * da.cross(db).normalized();
         const double gap = n.dot(pa - pb);
         if (gap >= contactDistance || gap < -edgeDepth) continue;
+        // Beyond an end only where the line of edges dips there.
+        const double slide = std::max(1e-4 * contactDistance, -gap);
+        if (past > std::min(contactDistance, slide)) continue;
+        const auto reached = [&](double rise) { return rise > 0 && gap < slide * rise; };
+        if (st[0] != on[0] && !reached(a.dips(on[0] > 0 ? ea[1] : ea[0], on[0] > 0 ? da : Vec3(-da), -n))) continue;
+        if (st[1] != on[1] && !reached(b.dips(on[1] > 0 ? eb[1] : eb[0], on[1] > 0 ? db : Vec3(-db), n))) continue;
         if (!under(b, eb, tb, bendB, n) || !under(a, ea, ta, bendA, -n)) continue;
         if (gap < 0) {
           const bool inA = steepest(a, ta, -n) > 0.4, inB = steepest(b, tb, n) > 0.4;

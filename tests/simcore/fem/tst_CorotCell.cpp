@@ -84,6 +84,39 @@ TEST(CorotCell, stiffnessHoldsEveryMotionThatIsNotRigid) {
   }
 }
 
+TEST(CorotCell, cellsTwistedByTheirBandPushBackWhateverTissueTheyHold) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  double least = 1;
+  for (int trial = 0; trial < 300; ++trial) {
+    Mat38 corners = cornersOf(turnedBox());
+    const Vec3 off = turnedBox().axes.col(2);
+    const double twist = (uniform(random) - 0.5) * kEdge, tiltX = uniform(random) * kEdge, tiltY = uniform(random) * kEdge;
+    for (int i = 0; i < 8; ++i) corners.col(i) += ((i & 1) * tiltX + (i >> 1 & 1) * tiltY + (i & i >> 1 & 1) * twist) * off;
+    Vec3 low, high;
+    for (int a = 0; a < 3; ++a) {
+      low[a] = -1 + 1.9 * uniform(random);
+      high[a] = low[a] + (a == 2 ? 0.05 + 0.3 * uniform(random) : 2 * uniform(random));
+      high[a] = std::min(high[a], 1.0);
+    }
+    const CellTissue tissue{test::momentsOfPart(low, high, turnedBox().edges.prod()), lameFrom(kYoung, 0.49 * uniform(random))};
+    const CorotCell cell = makeCorotCell(corners, {&tissue, 1}).value();
+    const Eigen::SelfAdjointEigenSolver<Mat24> modes(cell.K_E);
+    least = std::min(least, modes.eigenvalues()[0] / modes.eigenvalues()[23]);
+    // Rigid turns and affine strains are told exactly.
+    Mat3 strain;
+    strain << 0.03, 0.02, -0.01, 0.02, -0.02, 0.03, -0.01, 0.03, 0.01;
+    const Mat38 x = cell.x0_E + strain * cell.x0_E;
+    const Mat3 stress = 2 * tissue.lame.mu * strain + tissue.lame.lambda * strain.trace() * Mat3::Identity();
+    const Mat38 wanted = -cell.volume * stress * cell.gradients_E;
+    EXPECT_LT((forceAt(cell, x) - wanted).norm(), 1e-8 * wanted.norm());
+    const Mat3 R = Eigen::AngleAxisd(2, Vec3(1, 2, -2).normalized()).toRotationMatrix();
+    EXPECT_LT(forceAt(cell, R * cell.x0_E).norm() / (cell.K_E.norm() * kEdge), 1e-12);
+  }
+  std::printf("twisted cells: least eigenvalue %.1e of the largest\n", least);
+  EXPECT_GT(least, -1e-12);
+}
+
 TEST(CorotCell, constantStrainHasTheForcesAndTheEnergyOfTheTissue) {
   // The patch test: whatever tissue a cell holds, nothing but the constant stress acts on its corners, so that what is
   // affine is in equilibrium wherever its boundary is.

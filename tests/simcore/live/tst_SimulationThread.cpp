@@ -176,6 +176,28 @@ TEST(SimulationThread, aChangedModelCarriesStateByIdOrStartsOver) {
   EXPECT_EQ(simulation.snapshot().step, 0) << "not carried: from the beginning";
 }
 
+TEST(SimulationThread, rotationsAreCopiedOnlyWhileTheyAreWanted) {
+  auto model = std::make_shared<Model>(*smallModel());
+  model->start.rotations = VecX::LinSpaced(8, 1, 8);
+  SimulationThread simulation(countingSteps());
+  simulation.setModel(model, {}, true);
+  simulation.stepOnce();
+  ASSERT_TRUE(until(simulation, [](const Snapshot& s) { return s.step == 1; }));
+  EXPECT_EQ(simulation.snapshot().rotations.size(), 0);
+  simulation.setRotationsWanted(true);  // at once, though nothing steps
+  ASSERT_TRUE(until(simulation, [](const Snapshot& s) { return s.rotations.size() > 0; }));
+  EXPECT_EQ(simulation.snapshot().rotations, model->start.rotations);
+  EXPECT_EQ(simulation.snapshot().step, 1);
+  simulation.stepOnce();
+  ASSERT_TRUE(until(simulation, [](const Snapshot& s) { return s.step == 2; }));
+  EXPECT_EQ(simulation.snapshot().rotations.size(), 8);
+  simulation.setRotationsWanted(false);
+  ASSERT_TRUE(until(simulation, [](const Snapshot& s) { return s.rotations.size() == 0; }));
+  for (int i = 0; i < 4; ++i) simulation.stepOnce();  // none is left in any of the buffers
+  ASSERT_TRUE(until(simulation, [](const Snapshot& s) { return s.step == 6; }));
+  EXPECT_EQ(simulation.snapshot().rotations.size(), 0);
+}
+
 TEST(SimulationThread, rejectedStepsAreCountedAndTheRunGoesOn) {
   SimulationThread simulation(countingSteps(0us, 5));
   simulation.setModel(smallModel(), {}, true);
