@@ -17,6 +17,7 @@ void keepTo(const Joint& joint, const Joint& alsoIn, Scenario& scenario) {
     return a >= 0 && b >= 0 && joint.parts[a].kind == alsoIn.parts[b].kind;
   };
   std::erase_if(scenario.fixedParts, [&](const std::string& id) { return !there(id); });
+  std::erase_if(scenario.selfContactParts, [&](const std::string& id) { return !there(id); });
   const auto keep = [&](auto& actions) { std::erase_if(actions, [&](const auto& action) { return !there(action.part); }); };
   keep(scenario.holds);
   keep(scenario.loads);

@@ -2856,6 +2856,10 @@
         <source>overstretched and crushed tissue leaves the linear law</source>
         <translation>el tejido demasiado estirado o aplastado deja la ley lineal</translation>
     </message>
+    <message>
+        <source>“%1” lay %2 mm deep in itself at %3 s, beyond the limit of %4 mm: what the run says after that is not to be trusted.</source>
+        <translation>«%1» estaba %2 mm dentro de sí mismo a los %3 s, por encima del límite de %4 mm: lo que la ejecución diga después no es de fiar.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeStrip</name>
@@ -2959,6 +2963,14 @@
     <message>
         <source>Let “%1” move freely</source>
         <translation>Dejar que «%1» se mueva libremente</translation>
+    </message>
+    <message>
+        <source>Let “%1” touch itself</source>
+        <translation>Dejar que «%1» se toque a sí mismo</translation>
+    </message>
+    <message>
+        <source>Let “%1” pass through itself</source>
+        <translation>Dejar que «%1» se atraviese a sí mismo</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3611,22 @@
     <message>
         <source>cells</source>
         <translation>celdas</translation>
+    </message>
+    <message>
+        <source>Self-contact:</source>
+        <translation>Autocontacto:</translation>
+    </message>
+    <message>
+        <source>touches itself</source>
+        <translation>se toca a sí misma</translation>
+    </message>
+    <message>
+        <source>Self-contact of the part</source>
+        <translation>Autocontacto de la parte</translation>
+    </message>
+    <message>
+        <source>Whether the part may fold onto itself without passing through; it costs time in every step</source>
+        <translation>Si la parte puede plegarse sobre sí misma sin atravesarse; cuesta tiempo en cada paso</translation>
     </message>
 </context>
 <context>

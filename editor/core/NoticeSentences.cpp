@@ -53,6 +53,10 @@ QString NoticeSentences::of(const Notice& n, const NameOf& nameOf) {
     case NoticeKind::EffectIdle:
       return tr("The effect “%1” is switched on, but the scene holds nothing for it to act on.").arg(effectName(n.subject));
     case NoticeKind::TooDeep:
+      if (n.subject == n.other)
+        return tr("“%1” lay %2 mm deep in itself at %3 s, beyond the limit of %4 mm: what the run says after that is not to be "
+                  "trusted.")
+            .arg(name(n.subject), millimetres(n.figure), time, millimetres(n.limit));
       return tr("“%1” and “%2” lay %3 mm deep in each other at %4 s, beyond the limit of %5 mm: what the run says after that is "
                 "not to be trusted.")
           .arg(name(n.subject), name(n.other), millimetres(n.figure), time, millimetres(n.limit));

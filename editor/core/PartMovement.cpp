@@ -50,6 +50,29 @@ bool setMovement(Document& document, const std::string& part, Movement movement)
   return true;
 }
 
+bool foldsOntoItself(const Scenario& scenario, const std::string& part) {
+  return std::find(scenario.selfContactParts.begin(), scenario.selfContactParts.end(), part) != scenario.selfContactParts.end();
+}
+
+bool setFoldsOntoItself(Document& document, const std::string& part, bool folds) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0 || foldsOntoItself(document.scenario(), part) == folds) return false;
+  if (document.joint().parts[index].kind != PartKind::Soft || movementOf(document.scenario(), part) == Movement::Fixed) return false;
+  ChangeSet changes;
+  changes.model = changes.settings = true;
+  changes.parts = {part};
+  const QString name = anatomyName(document.joint().parts[index].name);
+  const QString text = folds ? PartMovement::tr("Let “%1” touch itself").arg(name) : PartMovement::tr("Let “%1” pass through itself").arg(name);
+  document.edit(text, changes, [&](Scene& scene) {
+    std::vector<std::string>& parts = scene.scenario.selfContactParts;
+    if (folds)
+      parts.push_back(part);
+    else
+      std::erase(parts, part);
+  });
+  return true;
+}
+
 Scene emptyScene(const QString& name) {
   Scene scene;
   scene.joint.id = scene.scenario.id = "untitled";

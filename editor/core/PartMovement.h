@@ -17,6 +17,12 @@ Movement movementOf(const Scenario& scenario, const std::string& part);
 /// and so does the prescribed motion of one that becomes free.
 bool setMovement(Document& document, const std::string& part, Movement movement);
 
+/// Whether the scenario names the part among those that may fold onto themselves.
+bool foldsOntoItself(const Scenario& scenario, const std::string& part);
+
+/// One undo step, which changes the scenario. False where the part is unknown, rigid or fixed, or where it is so already.
+bool setFoldsOntoItself(Document& document, const std::string& part, bool folds);
+
 /// A joint without parts and a scenario around it, for beginning anew.
 Scene emptyScene(const QString& name);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/PropertiesPanel.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -171,6 +172,7 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
   if (part.collision) form->addRow(tr("Collision triangles:"), label(number(part.collision->triangles.size())));
   if (part.volume) {
     form->addRow(tr("Elements:"), elementsBox(part));
+    if (movementOf(m_document.scenario(), part.id) != Movement::Fixed) form->addRow(tr("Self-contact:"), foldsBox(part));
     form->addRow(tr("Tetrahedra:"), label(number(part.volume->tets.size())));
     form->addRow(tr("Nodes:"), label(number(part.volume->nodes.size())));
     form->addRow(tr("Cell size:"), label(tr("%1 mm").arg(number(1e3 * part.cellSize, 1))));
@@ -259,6 +261,16 @@ QComboBox* PropertiesPanel::elementsBox(const Part& part) {
   connect(box, &QComboBox::activated, this, [this, box, id = part.id] {
     setPartElements(m_document, id, static_cast<Elements>(box->currentData().toInt()));
   });
+  return box;
+}
+
+QCheckBox* PropertiesPanel::foldsBox(const Part& part) {
+  auto* box = new QCheckBox(tr("touches itself"));
+  box->setObjectName(QStringLiteral("foldsOntoItself"));
+  box->setAccessibleName(tr("Self-contact of the part"));
+  box->setToolTip(tr("Whether the part may fold onto itself without passing through; it costs time in every step"));
+  box->setChecked(foldsOntoItself(m_document.scenario(), part.id));
+  connect(box, &QCheckBox::clicked, this, [this, id = part.id](bool folds) { setFoldsOntoItself(m_document, id, folds); });
   return box;
 }
 

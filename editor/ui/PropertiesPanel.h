@@ -5,6 +5,7 @@
 #include "editor/core/PlayLink.h"
 #include "editor/core/Selection.h"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -15,7 +16,7 @@ class QVBoxLayout;
 namespace glenoid {
 
 /// What is known about the selected part or tool, in millimetres and kilopascals; name, number and
-/// colour of a part, stiffnesses, loads and how it moves can be edited, each edit is one undo step. Without a selection: the scene as a whole,
+/// colour of a part, stiffnesses, loads, how it moves and whether it touches itself can be edited, each edit is one undo step. Without a selection: the scene as a whole,
 /// all its loads, whether its run is at rest, and its effects.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
@@ -36,6 +37,7 @@ class PropertiesPanel : public QScrollArea {
   QPushButton* colorButton(const Part& part);
   QComboBox* movementBox(const Part& part);
   QComboBox* elementsBox(const Part& part);
+  QCheckBox* foldsBox(const Part& part);
   void showMaterials(QVBoxLayout& layout, const Part& part);
   void showCouplings(QVBoxLayout& layout, const Part& part);
 

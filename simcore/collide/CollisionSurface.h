@@ -70,12 +70,18 @@ bool isFlatTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
 /// Indices must lie inside the mesh (MeshHealth says so); anything else is a bug of the caller.
 std::shared_ptr<const CollisionSurface> makeCollisionSurface(const TriMesh& mesh, bool deforms = false);
 
-/// Two different surfaces that may touch, by their index in the list of surfaces. Triangles marked in a skip
+/// Two surfaces that may touch, by their index in the list of surfaces; the same one twice: a surface that may touch itself
+/// (SelfRest says which of its features then count). Triangles marked in a skip
 /// set take no part: coupling regions, where the parts are glued, and perforations by a portal. A vertex or
 /// edge takes part as long as one of its triangles does.
 struct CollisionPair {
   int surfaceA = 0, surfaceB = 1;
   std::vector<char> skipTriangleA, skipTriangleB;  ///< one flag for each triangle, or empty: none
+  /// Of a surface with itself: which cell of its body drives each vertex (−1: none that is known); empty: no two share one. Features of one cell make
+  /// no contact: what lies between them is the cell's own stretch.
+  std::vector<int> cellOfVertex = {};
+
+  bool self() const { return surfaceA == surfaceB; }
 };
 
 }  // namespace glenoid

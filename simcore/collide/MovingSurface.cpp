@@ -161,27 +161,7 @@ Vec3 MovingSurface::normalOf(const Feature& feature) {
 }
 
 MovingSurface::Nearest MovingSurface::nearest(const Vec3& p, double reach) {
-  Nearest found;
-  const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
-    const double h = height(t, p);
-    if (h * h > bestSoFar) return h * h;
-    if (!m_hasFace[t]) return 2 * bestSoFar + 1;  // without a normal it would take everything for inside
-    const auto [i, j, k] = m_topology->triangles[t];
-    const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
-    const Vec3 q = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
-    const double d = (q - p).squaredNorm();
-    if (d < bestSoFar || (d == bestSoFar && found.triangle > t)) {
-      found.triangle = t;
-      found.barycentric = w;
-      found.point = q;
-    }
-    return d;
-  });
-  if (found.triangle < 0) return found;
-  found.distance = std::sqrt(best);
-  found.feature = featureOf(found.triangle, found.barycentric);
-  found.inside = normalOf(found.feature).dot(p - found.point) <= 0;
-  return found;
+  return nearestOf(p, reach, [](int, double) { return true; });
 }
 
 }  // namespace glenoid

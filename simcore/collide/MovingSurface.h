@@ -88,14 +88,41 @@ class MovingSurface {
   };
   /// Nearest point of the whole surface nearer than `reach`; on triangles that have a face.
   Nearest nearest(const Vec3& p, double reach);
+  /// The same of the triangles for which counts(triangle, squared distance) holds.
+  template <class Counts>
+  Nearest nearestOf(const Vec3& p, double reach, Counts&& counts) {
+    Nearest found;
+    const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
+      const double h = height(t, p);
+      if (h * h > bestSoFar) return h * h;
+      if (!m_hasFace[t]) return 2 * bestSoFar + 1;  // without a normal it would take everything for inside
+      const auto [i, j, k] = m_topology->triangles[t];
+      const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
+      const Vec3 q = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
+      const double d = (q - p).squaredNorm();
+      const bool nearer = d < bestSoFar || (d == bestSoFar && found.triangle > t);
+      if (nearer && !counts(t, d)) return 2 * bestSoFar + 1;
+      if (nearer) {
+        found.triangle = t;
+        found.barycentric = w;
+        found.point = q;
+      }
+      return d;
+    });
+    if (found.triangle < 0) return found;
+    found.distance = std::sqrt(best);
+    found.feature = featureOf(found.triangle, found.barycentric);
+    found.inside = normalOf(found.feature).dot(p - found.point) <= 0;
+    return found;
+  }
   /// Nearest point of a face behind whose plane `p` lies, right over the face (its border too, to within `slack`), of those
-  /// whose normal is allowed(normal).
+  /// whose normal is allowed(normal, triangle, depth²).
   template <class Allowed>
   Nearest nearestFace(const Vec3& p, double reach, double slack, Allowed&& allowed) const {
     Nearest found;
     const double best = m_tree.nearest(p, reach * reach, [&](int t, double bestSoFar) {
       const double h = height(t, p), none = 2 * bestSoFar + 1;
-      if (!m_hasFace[t] || h > 0 || h * h >= bestSoFar || !allowed(m_faceNormal[t])) return none;
+      if (!m_hasFace[t] || h > 0 || h * h >= bestSoFar || !allowed(m_faceNormal[t], t, h * h)) return none;
       const auto [i, j, k] = m_topology->triangles[t];
       const Vec3 w = nearestBarycentric(p, m_x[i], m_x[j], m_x[k]);
       const Vec3 foot = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];

@@ -73,6 +73,10 @@ double PairSearch::riseBeyond(const Side& side, int e, int end, const Vec3& n) c
 }
 
 void PairSearch::edgeNearEdge(int ea, int eb) {
+  if (m_self) {
+    if (m_self->edgesShare(ea, eb)) return;
+    if (eb < ea) std::swap(ea, eb);
+  }
   ++m_counts->edgeEdge;
   MovingSurface &a = *m_a.surface, &b = *m_b.surface;
   const CollisionSurface::Edge &edgeA = a.topology().edges[ea], &edgeB = b.topology().edges[eb];
@@ -120,7 +124,15 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   }
   contact.normal_W = n;
   contact.gap = gap;
-  if (!near(gap, n, a, contact.a, b, contact.b)) return;
+  double distance = m_settings.contactDistance;
+  if (m_self) {
+    const SelfRest::Apart apart = m_self->edges(ea, eb);
+    if (gap < 0 && !SelfRest::cameFromOutside(apart, -gap)) return;
+    distance = SelfRest::contactDistance(distance, apart);
+    if (m_self->sameCell(contact.a, contact.b)) return;
+    if (gap < -m_touching && !covered(a0 + onA * da, -n) && !covered(b0 + onB * db, n)) return;
+  }
+  if (!near(distance, gap, n, a, contact.a, b, contact.b)) return;
   if (gap < -m_shallow) {
     // Two wedges that a plane touches along both may just have met. Deeper ones must prove it: where the foot of one edge lies
     // in the other's wedge it must truly be inside. A wedge that leans over so far that it cannot hold the foot says nothing;
@@ -128,8 +140,8 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
     const bool inA = wedgeDepth(a, ea, -n) > kWedge, inB = wedgeDepth(b, eb, n) > kWedge;
     const double least = -kWedge * gap;
     if (!inA && !inB) return;
-    if (inB && !inDepth(m_b, a0 + onA * da, least)) return;
-    if (inA && !inDepth(m_a, b0 + onB * db, least)) return;
+    if (inB && !inDepth(m_b, ea, onA, a0 + onA * da, least)) return;
+    if (inA && !inDepth(m_a, eb, onB, b0 + onB * db, least)) return;
   }
   contact.key = FeatureKey::make(m_settings.pair, FeatureKind::Edge, ea, FeatureKind::Edge, eb);
   m_next.resize(m_out->size() + 1);
@@ -137,9 +149,13 @@ void PairSearch::edgeNearEdge(int ea, int eb) {
   m_out->push_back(contact);
 }
 
-bool PairSearch::inDepth(Side& side, const Vec3& p, double depth) {
+bool PairSearch::inDepth(Side& side, int edge, double t, const Vec3& p, double depth) {
   ++m_counts->depthQueries;
-  const MovingSurface::Nearest nearest = side.surface->nearest(p, m_edgeDepth + m_touching);
+  const double reach = m_edgeDepth + m_touching;
+  const MovingSurface::Nearest nearest =
+      !m_self ? side.surface->nearest(p, reach) : side.surface->nearestOf(p, reach, [&](int triangle, double squared) {
+        return SelfRest::cameFromOutside(m_self->edgePointAndTriangle(edge, t, triangle), std::sqrt(squared));
+      });
   if (nearest.triangle < 0 || !nearest.inside || nearest.distance < depth) return false;
   return !(side.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped);
 }

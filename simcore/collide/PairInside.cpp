@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertices that are inside the other surface, and the way out that their own surface allows.
 #include <algorithm>
+#include <cmath>
 
 #include "simcore/collide/PairSearch.h"
 
@@ -43,9 +44,10 @@ void PairSearch::followInside(Side& mine, Side& other) {
   for (std::size_t i = 0; i < mine.queue.size(); ++i) {
     const int vertex = mine.queue[i];
     if (!mine.owners->vertexTakesPart[vertex]) continue;
+    if (m_self && !covered(vertex)) continue;  // a ray, against a search among triangles of which few count
     const Vec3& p = mine.surface->x(vertex);
     ++m_counts->depthQueries;
-    MovingSurface::Nearest nearest = surface.nearest(p, reach);
+    MovingSurface::Nearest nearest = nearestTo(other, vertex, p, reach);
     if (nearest.triangle < 0) continue;
     const bool touches = nearest.distance < m_touching;
     if (!nearest.inside && !touches) continue;
@@ -60,7 +62,9 @@ void PairSearch::followInside(Side& mine, Side& other) {
                                                              : Vec3((nearest.point - p) / nearest.distance);
     if (outward.isZero(0) || leavesCone(mine, vertex, outward) > kOverlapped) {
       ++m_counts->depthQueries;
-      const auto allowed = [&](const Vec3& normal) { return leavesCone(mine, vertex, normal) <= kOverlapped; };
+      const auto allowed = [&](const Vec3& normal, int t, double depth2) {
+        return (!m_self || mayBeInside(vertex, t, std::sqrt(depth2))) && leavesCone(mine, vertex, normal) <= kOverlapped;
+      };
       const double further = std::min(reach, std::max(kOtherWay * nearest.distance, m_settings.contactDistance));
       const MovingSurface::Nearest facing = surface.nearestFace(p, further, m_touching, allowed);
       if (facing.triangle >= 0) {

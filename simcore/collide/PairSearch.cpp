@@ -26,6 +26,7 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
                      MovingSurface& b, const FeatureOwners& ownersB, std::vector<Proximity>& out,
                      ProximityFinder::Counts& counts) {
   if (!a.usable() || !b.usable()) return;
+  m_self = nullptr;
   m_settings = settings;
   m_ahead = a.ahead() + b.ahead();
   const BoxTree::Node &rootA = a.tree().nodes()[0], &rootB = b.tree().nodes()[0];
@@ -90,7 +91,10 @@ void PairSearch::trianglePair(int ta, int tb) {
   const MovingSurface::Bends &bendsA = a.bends(ta), &bendsB = b.bends(tb);
   const int convexA = ownA >> 3 & bendsA.convex, convexB = ownB >> 3 & bendsB.convex;
   const int softA = ownA >> 3 & bendsA.dentable, softB = ownB >> 3 & bendsB.dentable;
-  const bool edges = (convexA && (convexB || softB)) || (softA && convexB);
+  // Of a part on itself two edges that are all but flat count as well: 0.06° of a bend, from which on one is convex, is
+  // enough to sink in by a thousandth of its length, be pushed out flat, and sink in again.
+  const int bothSoft = m_self ? softB : 0;
+  const bool edges = (convexA && (convexB || softB)) || (softA && (convexB || bothSoft));
   const bool meetable = !boxesApart(a.tree().nodes()[a.tree().leafOf(ta)], b.tree().nodes()[b.tree().leafOf(tb)],
                                     static_cast<float>(margins) - slack);
   if (!meetable && !((ownA | ownB) & 7) && !edges) return;
@@ -101,22 +105,25 @@ void PairSearch::trianglePair(int ta, int tb) {
   if (overA.beyond()) return;
 
   const auto &ia = a.topology().triangles[ta], &ib = b.topology().triangles[tb];
+  Side &first = m_a, &second = m_self ? m_a : m_b, &facing = m_self ? m_b : m_a;  // of itself, vertices stand on the first side
   const int verticesA = ownA & 7 & overB.near, verticesB = ownB & 7 & overA.near;
   for (int k = 0; k < 3 && (verticesA | verticesB); ++k) {
-    if ((verticesA >> k & 1) && std::abs(b.height(tb, a.x(ia[k]))) <= reach) vertexNearTriangle(m_a, m_b, ia[k], tb);
-    if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(m_b, m_a, ib[k], ta);
+    if ((verticesA >> k & 1) && std::abs(b.height(tb, a.x(ia[k]))) <= reach) vertexNearTriangle(first, m_b, ia[k], tb);
+    if ((verticesB >> k & 1) && std::abs(a.height(ta, b.x(ib[k]))) <= reach) vertexNearTriangle(second, facing, ib[k], ta);
   }
-  for (int i = 0; i < 3 && edges; ++i) {
-    const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB : 0);
+  // The two sides of one layer lie wholly behind each other. If they have come there from outside their vertices say so.
+  const bool behindEachOther = m_self && overB.below == 15 && overA.below == 15;
+  for (int i = 0; i < 3 && edges && !behindEachOther; ++i) {
+    const int partners = ((convexA >> i & 1) ? convexB | softB : 0) | ((softA >> i & 1) ? convexB | bothSoft : 0);
     const int ea = a.topology().triangleEdges[ta][i];
     for (int j = 0; j < 3; ++j)
       if (partners >> j & 1) edgeNearEdge(ea, b.topology().triangleEdges[tb][j]);
   }
   if (meetable && overB.crosses() && overA.crosses() && !(liesIn(a, ia, b, tb) && liesIn(b, ib, a, ta)) &&
-      trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
+      !(m_self && m_self->crossAtRest(ta, tb)) && trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
     for (int k = 0; k < 3; ++k) {
-      suspect(m_a, ia[k]);
-      suspect(m_b, ib[k]);
+      suspect(first, ia[k]);
+      suspect(second, ib[k]);
     }
   }
 }
@@ -127,9 +134,15 @@ bool PairSearch::liesIn(const MovingSurface& surface, const std::array<int, 3>& 
   return std::all_of(corners.begin(), corners.end(), [&](int v) { return std::abs(plane.height(t, surface.x(v))) <= m_touching; });
 }
 
-bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a,
+bool PairSearch::near(double distance, double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a,
                       const MovingSurface& second, const FeaturePoint& b) const {
-  if (gap < m_settings.contactDistance) return true;
+  if (gap < distance) return true;
+  if (m_self) {  // both follow the same motion
+    double closing = 0;
+    for (int motion = 0; motion < m_settings.motionCount; ++motion)
+      closing = std::max(closing, normal.dot(velocityOf(second, motion, b) - velocityOf(first, motion, a)));
+    return gap < distance + std::min(closing * m_settings.dt, m_ahead);
+  }
   // Each side may follow another motion, so the most of one adds to the most of the other.
   double closingA = 0, closingB = 0;
   for (int motion = 0; motion < m_settings.motionCount; ++motion) {
@@ -138,7 +151,7 @@ bool PairSearch::near(double gap, const Vec3& normal, const MovingSurface& first
     closingB = motion == 0 ? ofB : std::max(closingB, ofB);
   }
   const double ahead = (closingA + closingB) * m_settings.dt;
-  return gap < m_settings.contactDistance + std::clamp(ahead, 0.0, m_ahead);
+  return gap < distance + std::clamp(ahead, 0.0, m_ahead);
 }
 
 }  // namespace glenoid

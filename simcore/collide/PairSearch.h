@@ -6,6 +6,8 @@
 #include "simcore/collide/MovingSurface.h"
 #include "simcore/collide/NormalCone.h"
 #include "simcore/collide/ProximityFinder.h"
+#include "simcore/collide/SelfFacing.h"
+#include "simcore/collide/SelfRest.h"
 
 namespace glenoid {
 
@@ -22,6 +24,9 @@ class PairSearch {
   };
   void run(const Settings& settings, MovingSurface& a, const FeatureOwners& ownersA, MovingSurface& b,
            const FeatureOwners& ownersB, std::vector<Proximity>& out, ProximityFinder::Counts& counts);
+  /// The same of a surface with itself. A vertex is always on the first side, the lower of two vertices or edges too.
+  void runSelf(const Settings& settings, MovingSurface& surface, const FeatureOwners& owners, const SelfRest& rest,
+               std::vector<Proximity>& out, ProximityFinder::Counts& counts);
 
  private:
   /// Sine of the angle by which a contact's normal may leave the cones of its features: bumps, and the facets that a
@@ -63,6 +68,10 @@ class PairSearch {
   bool facesItself(Side& mine, Side& other, int vertex, int triangle, const Vec3& outward);
   void emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                   const MovingSurface::Feature& feature, const Vec3& outward, double gap);
+  /// Whether the vertex is the contact's a. Of two of one surface the lower one is.
+  bool isFirst(const Side& mine, int vertex, const MovingSurface::Feature& feature) const {
+    return m_self ? feature.kind != FeatureKind::Vertex || vertex < feature.id : &mine == &m_a;
+  }
   std::uint64_t vertexKey(const Side& mine, int vertex, const MovingSurface::Feature& feature) const;
   const Vec3* lastNormal(std::uint64_t key) const;
 
@@ -71,14 +80,28 @@ class PairSearch {
   void followInside(Side& mine, Side& other);
   double leavesCone(Side& mine, int vertex, const Vec3& outward);
 
+  // PairSelf.cpp
+  /// Whether a vertex that lies `depth` behind a triangle has come there from outside; always of another surface.
+  bool mayBeInside(int vertex, int triangle, double depth) const;
+  /// Below which gap they make a contact while nothing moves, m.
+  double distanceOf(int vertex, int triangle) const;
+  /// Whether a second layer of the body covers a place just in front of a point of the surface, `outward` being the way out
+  /// of the body there: the surface goes round it. Tissue that is merely pressed thin, or turned inside out, is covered by none.
+  bool covered(const Vec3& p, const Vec3& outward) const;
+  bool covered(int vertex) { return covered(m_a.surface->x(vertex), m_a.surface->vertexNormal(vertex).stableNormalized()); }
+  MovingSurface::Nearest nearestTo(Side& other, int vertex, const Vec3& p, double reach);
+  bool sameCell(const FeaturePoint& a, const FeaturePoint& b) const { return m_self && m_self->sameCell(a, b); }
+
   // PairEdges.cpp
   double riseBeyond(const Side& side, int e, int end, const Vec3& n) const;
   void edgeNearEdge(int ea, int eb);
   bool facesAlong(const Side& side, int e, const Vec3& n) const;
-  bool inDepth(Side& side, const Vec3& p, double depth);
+  /// Whether point t of an edge of the other surface lies so deep in this one.
+  bool inDepth(Side& side, int edge, double t, const Vec3& p, double depth);
 
-  /// Whether points a of `first` and b of `second`, gap apart along the normal, come near in one of the motions.
-  bool near(double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a, const MovingSurface& second,
+  /// Whether points a of `first` and b of `second`, gap apart along the normal, come nearer than `distance` in one of the
+  /// motions.
+  bool near(double distance, double gap, const Vec3& normal, const MovingSurface& first, const FeaturePoint& a, const MovingSurface& second,
             const FeaturePoint& b) const;
 
   ProximityLimits m_limits;
@@ -86,6 +109,8 @@ class PairSearch {
   double m_touching = 0, m_shallow = 0, m_ahead = 0, m_edgeDepth = 0, m_swept = 0;  ///< of this pair, m
   Side m_a, m_b;
   NormalCone m_cone, m_against;
+  const SelfRest* m_self = nullptr;  ///< of a surface with itself; null: two surfaces
+  SelfFacing m_facing;
   std::vector<int> m_next;
   long m_mark = 0;
   std::vector<Proximity>* m_out = nullptr;

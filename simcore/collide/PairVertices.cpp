@@ -97,7 +97,10 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
   const MovingSurface::Feature feature = surface.featureOf(triangle, w);
   if (feature.kind == FeatureKind::Face) {
     const double gap = surface.height(triangle, p);
-    if (gap < -m_touching) return suspect(mine, vertex);
+    if (gap < -m_touching) {
+      if (mayBeInside(vertex, triangle, -gap)) suspect(mine, vertex);
+      return;
+    }
     return emitVertex(mine, other, vertex, triangle, w, feature, surface.faceNormal(triangle), gap);
   }
   const Vec3 foot = w[0] * surface.x(i) + w[1] * surface.x(j) + w[2] * surface.x(k);
@@ -116,7 +119,10 @@ void PairSearch::vertexNearTriangle(Side& mine, Side& other, int vertex, int tri
     if (ridge && distance < m_shallow) vertexTouches(mine, other, vertex, triangle, w, feature, away);
     return;
   }
-  if (away.dot(surface.normalOf(feature)) < 0) return suspect(mine, vertex);
+  if (away.dot(surface.normalOf(feature)) < 0) {
+    if (mayBeInside(vertex, triangle, distance)) suspect(mine, vertex);
+    return;
+  }
   emitVertex(mine, other, vertex, triangle, w, feature, away / distance, distance);
 }
 
@@ -126,14 +132,14 @@ void PairSearch::vertexTouches(Side& mine, Side& other, int vertex, int triangle
   m_cone.take(*other.surface, feature, *other.owners);
   m_against.take(*mine.surface, {FeatureKind::Vertex, vertex}, *mine.owners);
   const Vec3* last = lastNormal(vertexKey(mine, vertex, feature));
-  const Vec3 before = last ? Vec3(&mine == &m_a ? *last : -*last) : Vec3();
+  const Vec3 before = last ? Vec3(isFirst(mine, vertex, feature) ? *last : -*last) : Vec3();
   const std::optional<Vec3> outward = sharedNormal(m_cone, m_against, kWidened, kOverlapped, last ? &before : nullptr);
   if (outward) emitVertex(mine, other, vertex, triangle, barycentric, feature, *outward, outward->dot(apart));
 }
 
 std::uint64_t PairSearch::vertexKey(const Side& mine, int vertex, const MovingSurface::Feature& feature) const {
-  return &mine == &m_a ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
-                       : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
+  return isFirst(mine, vertex, feature) ? FeatureKey::make(m_settings.pair, FeatureKind::Vertex, vertex, feature.kind, feature.id)
+                                        : FeatureKey::make(m_settings.pair, feature.kind, feature.id, FeatureKind::Vertex, vertex);
 }
 
 const Vec3* PairSearch::lastNormal(std::uint64_t key) const {
@@ -146,7 +152,7 @@ const Vec3* PairSearch::lastNormal(std::uint64_t key) const {
 /// direction says that already. Inside: always.
 void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, const Vec3& barycentric,
                             const MovingSurface::Feature& feature, const Vec3& outward, double gap) {
-  const bool first = &mine == &m_a;
+  const bool first = isFirst(mine, vertex, feature);
   Proximity contact;
   contact.pair = m_settings.pair;
   FeaturePoint& own = first ? contact.a : contact.b;
@@ -155,8 +161,10 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
   foot = trianglePoint(other.surface->topology().triangles[triangle], barycentric);
   contact.normal_W = first ? outward : Vec3(-outward);
   contact.gap = gap;
+  if (sameCell(own, foot)) return;
   if (gap >= m_touching || (feature.kind == FeatureKind::Face && gap >= -m_touching)) {
-    if (!near(gap, outward, *mine.surface, own, *other.surface, foot)) return;
+    if (!near(m_settings.contactDistance, gap, outward, *mine.surface, own, *other.surface, foot)) return;
+    if (m_self && !near(distanceOf(vertex, triangle), gap, outward, *mine.surface, own, *other.surface, foot)) return;
     if (!facesItself(mine, other, vertex, triangle, outward)) return;
   }
   contact.key = vertexKey(mine, vertex, feature);
@@ -182,7 +190,8 @@ void PairSearch::emitVertex(Side& mine, Side& other, int vertex, int triangle, c
   const double same = kSameFoot * m_touching;
   for (int i = mine.chain[vertex]; i >= 0; i = m_next[i]) {
     Proximity& known = (*m_out)[i];
-    if ((footPosition(first ? known.b : known.a) - here).squaredNorm() > same * same) continue;
+    const bool knownFirst = m_self ? known.a.count == 1 && known.a.vertex[0] == vertex : first;
+    if ((footPosition(knownFirst ? known.b : known.a) - here).squaredNorm() > same * same) continue;
     if (contact.key < known.key) known = contact;
     return;
   }
@@ -217,6 +226,9 @@ void PairSearch::emitPlane(Side& mine, Side& other, int vertex, int triangle, do
   const Vec3 w = nearestBarycentric(p, surface.x(i), surface.x(j), surface.x(k));
   const FeaturePoint foot{3, corners, {w[0], w[1], w[2]}};
   const double gap = surface.height(triangle, p);
+  if (m_self && (m_self->share(vertex, triangle) || (gap < 0 && !mayBeInside(vertex, triangle, -gap)))) return;
+  if (m_self && gap < -m_touching && !covered(vertex)) return;
+  if (sameCell(vertexPoint(vertex), foot)) return;
   double slide = 0;
   for (int motion = 0; motion < m_settings.motionCount; ++motion)
     slide = std::max(slide, m_settings.dt * (mine.surface->v(motion, vertex) - velocityOf(surface, motion, foot)).norm());

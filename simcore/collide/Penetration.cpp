@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "simcore/collide/SelfPenetration.h"
 #include "simcore/spatial/BoxTree.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/RayParity.h"
@@ -110,6 +111,7 @@ struct PenetrationCheck::Work {
   std::vector<std::array<Part, 2>> parts;  ///< by pair
   std::vector<char> used, inside;
   std::array<std::vector<Crossing>, 2> crossings;
+  SelfPenetration self;
   Penetration worst;
   std::span<const double> allowed;
 
@@ -162,6 +164,13 @@ void PenetrationCheck::Work::side(int pair, const Body& mine, const Part& part, 
 void PenetrationCheck::Work::pair(int index) {
   const CollisionPair& pair = pairs[index];
   const Body &a = bodies[pair.surfaceA], &b = bodies[pair.surfaceB];
+  if (pair.self()) {
+    if (a.finite) self.look(*a.surface, a.tree, a.x, [&](const Vec3& p, double depth) {
+      const double beyond = depth - (allowed.empty() ? 0.0 : allowed[static_cast<std::size_t>(index)]);
+      if (beyond > worst.depth) worst = {beyond, index, p};
+    });
+    return;
+  }
   if (!a.finite || !b.finite || !BoxTree::overlap(a.tree.nodes()[0], b.tree.nodes()[0])) return;
   for (auto& list : crossings) list.clear();
   // An edge is tried from its first triangle only, and that may be a skipped one: parts decide afterwards.
@@ -249,6 +258,11 @@ std::vector<PairIntersections> startIntersections(
   std::vector<PairIntersections> result;
   for (int p = 0; p < static_cast<int>(pairs.size()); ++p) {
     PairIntersections found{p, {}};
+    if (pairs[p].self()) {
+      found.triangles = selfIntersections(meshOf(pairs[p].surfaceA));
+      if (!found.triangles.empty()) result.push_back(std::move(found));
+      continue;
+    }
     for (const auto& both : intersectingTriangles(meshOf(pairs[p].surfaceA), meshOf(pairs[p].surfaceB))) {
       if (flagged(pairs[p].skipTriangleA, both[0]) || flagged(pairs[p].skipTriangleB, both[1])) continue;
       found.triangles.push_back(both);

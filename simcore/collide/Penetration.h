@@ -11,7 +11,7 @@ namespace glenoid {
 
 /// The deepest point of one surface inside another.
 struct Penetration {
-  double depth = 0;           ///< m, ≥ 0: distance from `point` to the other surface
+  double depth = 0;           ///< m, ≥ 0: distance from `point` to the other surface; of a surface with itself: SelfPenetration
   int pair = -1;              ///< index of the CollisionPair; −1: nothing is inside anything
   Vec3 point = Vec3::Zero();  ///< W
 };
@@ -48,7 +48,8 @@ Penetration deepestPenetration(std::span<const std::shared_ptr<const CollisionSu
                                std::span<const CollisionPair> pairs,
                                std::span<const std::span<const Vec3>> positions);
 
-/// Triangles {of A, of B} that intersect or touch, of one pair, ascending; skipped triangles are left out.
+/// Triangles {of A, of B} that intersect or touch, of one pair, ascending; skipped triangles are left out. Of a surface with
+/// itself: those that share no vertex, each two once.
 /// Exact (spatial/Intersect). For `joint check`, not for a step.
 struct PairIntersections {
   int pair = 0;

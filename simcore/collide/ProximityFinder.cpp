@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <ctime>
+#include <memory>
 
 #include "simcore/collide/FeatureKey.h"
 #include "simcore/collide/MovingSurface.h"
@@ -10,11 +12,22 @@
 
 namespace glenoid {
 
+namespace {
+
+double cpuMs() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
 struct ProximityFinder::Work {
   std::vector<std::shared_ptr<const CollisionSurface>> surfaces;
   std::vector<CollisionPair> pairs;
   ProximityLimits limits;
   std::vector<std::array<FeatureOwners, 2>> owners;  ///< by pair
+  std::vector<std::unique_ptr<const SelfRest>> rests;  ///< by pair; null where it is of two surfaces
   std::vector<char> used;                            ///< surfaces that some pair names
   std::vector<MovingSurface> moving;
   PairSearch search;
@@ -25,15 +38,15 @@ struct ProximityFinder::Work {
 ProximityFinder::ProximityFinder(std::vector<std::shared_ptr<const CollisionSurface>> surfaces,
                                  std::vector<CollisionPair> pairs, const ProximityLimits& limits)
     : m_work(std::make_unique<Work>(
-          Work{std::move(surfaces), std::move(pairs), limits, {}, {}, {}, PairSearch(limits), {}, {}})) {
+          Work{std::move(surfaces), std::move(pairs), limits, {}, {}, {}, {}, PairSearch(limits), {}, {}})) {
   Work& w = *m_work;
   assert(static_cast<int>(w.pairs.size()) <= FeatureKey::kMaxPairs);
   w.used.assign(w.surfaces.size(), 0);
   for (const CollisionPair& pair : w.pairs) {
-    assert(pair.surfaceA != pair.surfaceB);
     w.used[pair.surfaceA] = w.used[pair.surfaceB] = 1;
     w.owners.push_back({assignOwners(*w.surfaces[pair.surfaceA], pair.skipTriangleA),
                         assignOwners(*w.surfaces[pair.surfaceB], pair.skipTriangleB)});
+    w.rests.push_back(pair.self() ? std::make_unique<const SelfRest>(w.surfaces[pair.surfaceA], pair.cellOfVertex) : nullptr);
   }
   for (const auto& surface : w.surfaces) w.moving.emplace_back(surface);
   w.result.reserve(512);
@@ -66,8 +79,14 @@ const std::vector<Proximity>& ProximityFinder::findAlong(std::span<const std::sp
   }
   for (std::size_t p = 0; p < w.pairs.size(); ++p) {
     const CollisionPair& pair = w.pairs[p];
-    w.search.run({static_cast<int>(p), motionCount, contactDistance, dt, last}, w.moving[pair.surfaceA], w.owners[p][0],
-                 w.moving[pair.surfaceB], w.owners[p][1], w.result, w.counts);
+    const PairSearch::Settings settings{static_cast<int>(p), motionCount, contactDistance, dt, last};
+    if (pair.self()) {
+      const double begin = cpuMs();
+      w.search.runSelf(settings, w.moving[pair.surfaceA], w.owners[p][0], *w.rests[p], w.result, w.counts);
+      w.counts.selfMs += cpuMs() - begin;
+    } else {
+      w.search.run(settings, w.moving[pair.surfaceA], w.owners[p][0], w.moving[pair.surfaceB], w.owners[p][1], w.result, w.counts);
+    }
   }
   std::sort(w.result.begin(), w.result.end(), [](const Proximity& a, const Proximity& b) {
     return a.key != b.key ? a.key < b.key : a.gap < b.gap;

@@ -21,9 +21,9 @@ struct LastNormal {
   Vec3 normal_W = Vec3::UnitY();
 };
 
-/// Finds the feature pairs of two surfaces that are near or inside each other: the contact constraints of one
+/// Finds the feature pairs of two surfaces, or of one with itself, that are near or inside each other: the contact constraints of one
 /// step. Stateless between calls except for scratch, so equal input gives equal results, whatever came
-/// before. Wrong to use for a surface against itself. README.md of this folder has the mathematics.
+/// before. A pair may be a surface with itself (CollisionPair::self). README.md of this folder has the mathematics.
 /// Frames: W. Units: m, m/s, s. Answers are sorted by key. Allocates nothing once the most contacts have been
 /// seen. One thread at a time. Not-finite positions give no contact for the surfaces concerned.
 class ProximityFinder {
@@ -58,6 +58,7 @@ class ProximityFinder {
     long trianglePairs = 0;             ///< whose boxes overlapped
     long vertexFace = 0, edgeEdge = 0;  ///< exact tests made
     long depthQueries = 0;              ///< nearest-point searches for what seemed to be inside
+    double selfMs = 0;                  ///< thread CPU time of surfaces with themselves
   };
   const Counts& counts() const;
 

@@ -9,14 +9,16 @@
 namespace glenoid {
 
 /// The rows that the contacts of a step give to one coupling island, as sparse rows over its blocks. A contact
-/// between two coupling islands gives a row to each; one inside an island gives a single row with both sides.
+/// between two coupling islands gives a row to each; one inside an island, or of an object with itself, gives a single row
+/// with both sides.
 class IslandRows {
  public:
   void clear();
   /// Starts the row of a contact; terms follow by append.
   void begin(int contact);
   void append(const ContactObject& object, const MaterialPoint& point, const Vec3& direction, const VecX& q, int base);
-  /// Ends the row: terms ascending by block. A row without terms is taken back; false then.
+  /// Ends the row: terms ascending by block, one for a block: where both points lie on one object they share nodes. A row
+  /// without terms, or one that moves nothing because its points move alike, is taken back; false then.
   bool finish();
 
   int count() const { return static_cast<int>(m_contact.size()); }

@@ -96,7 +96,9 @@ std::vector<NewName> newNames(const Model& from, const Model& to, const std::vec
     NewName& name = names.emplace_back();
     if (a < 0 || b < 0) continue;
     for (const bool swapped : {false, true})
-      if (const auto found = pairOf.find(swapped ? std::array{b, a} : std::array{a, b}); found != pairOf.end())
+      if (swapped && a == b)
+        continue;  // of a part with itself there is but one order
+      else if (const auto found = pairOf.find(swapped ? std::array{b, a} : std::array{a, b}); found != pairOf.end())
         name = {found->second, swapped};
   }
   return names;

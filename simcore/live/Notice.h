@@ -10,7 +10,7 @@ namespace glenoid {
 enum class NoticeKind {
   UnusedSetting,  ///< `unused` says which; subject: its name
   EffectIdle,     ///< subject: an effect that was switched on and finds nothing to act on
-  TooDeep,        ///< subject, other: two objects, once a pair; figure: depth, limit: the most that is let pass, m; the run fails
+  TooDeep,        ///< subject, other: two objects, or one twice, once a pair; figure: depth, limit: the most that is let pass, m; the run fails
   TornAway,       ///< subject: a part; figure: how far its middle went, limit: its size, m
   Overstretched,  ///< subject: a soft part; figure: longest edge of its tetrahedra over its length at rest, limit: what tissue stands
   InsideOut,      ///< subject: a soft part; figure: most of its elements turned inside out at once, limit: how many it has

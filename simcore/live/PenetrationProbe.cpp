@@ -85,7 +85,7 @@ void PenetrationProbe::look(const VecX& q, std::span<const DentView> dents, doub
     const std::string &a = m_model.objects[pair.surfaceA].id, &b = m_model.objects[pair.surfaceB].id;
     if (depth > m_deepest) {
       m_deepest = depth;
-      m_where = a + " / " + b;
+      m_where = a + " / " + (pair.self() ? "itself" : b);
     }
     if (m_limits.empty() || !(depth > m_limits[p])) continue;
     auto notice = std::find_if(m_beyond.begin(), m_beyond.end(), [&](const Notice& n) { return n.subject == a && n.other == b; });

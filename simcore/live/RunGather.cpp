@@ -22,7 +22,7 @@ const std::vector<EffectStages>& effectStages() {
       {"friction", {Stage::Friction}, ""},
       {"bursa", {Stage::Bursa}, ""},
       {"dent", {Stage::Dent}, ""},
-      {"selfContact", {}, "collide"},
+      {"selfContact", {Stage::SelfContact}, ""},
   };
   return table;
 }

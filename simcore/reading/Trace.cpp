@@ -149,7 +149,7 @@ std::string Trace::csv() const {
     for (const char* column : kPartColumns) out += "," + cell(m_model->objects[object].id + "." + column);
   for (const auto& pair : m_pairs)
     for (const char* column : kPairColumns)
-      out += "," + cell(m_model->objects[pair[0]].id + ":" + m_model->objects[pair[1]].id + "." + column);
+      out += "," + cell(m_model->objects[pair[0]].id + ":" + (pair[0] == pair[1] ? "itself" : m_model->objects[pair[1]].id) + "." + column);
   out += "\n";
   const std::size_t width = 1 + std::size(kPartColumns) * m_parts.size();
   std::size_t next = 0, nextDepth = 0;

@@ -40,6 +40,7 @@ void dropActionsOn(Scenario& scenario, const std::string& part, const std::strin
   drop(scenario.holds);
   drop(scenario.loads);
   drop(scenario.motions);
+  std::erase(scenario.selfContactParts, part);
 }
 
 }  // namespace glenoid

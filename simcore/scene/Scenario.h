@@ -150,6 +150,9 @@ struct Scenario {
   std::vector<Motion> motions;       ///< one for each part at most
   std::vector<Tool> tools;
   Effects effects;
+  /// Ids of parts that may fold onto themselves; of a rigid or a fixed one nothing follows. With the effect on and no part
+  /// named, all soft parts that move may; with `auto` those named here.
+  std::vector<std::string> selfContactParts;
   std::vector<Camera> cameras;       ///< first: default
   std::string input;                 ///< shipped recording, path relative to the file or "builtin:NAME"; may be empty
   unsigned seed = 1;
@@ -163,7 +166,8 @@ double loadShareAt(const Scenario& scenario, double time);
 /// Pose that brings the part from rest to where it is at a time: x_W = pose · x at rest. Needs a key.
 Pose motionAt(const Motion& motion, double time);
 
-/// Takes out whatever acts on a part: holds, loads, pressures, supports, its motion; of a region only what names that.
+/// Takes out whatever acts on a part: holds, loads, pressures, supports, its motion, its contact with itself; of a region only
+/// what names that.
 void dropActionsOn(Scenario& scenario, const std::string& part, const std::string& region = {});
 
 }  // namespace glenoid

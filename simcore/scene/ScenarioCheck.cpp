@@ -160,6 +160,9 @@ Result<Done> checkScenario(const Scenario& scenario, const Joint& joint, const P
             checkPartNamed(joint, scenario.fixedParts[i], place, pointerTo("/fixedParts", i), {});
         !known)
       return known;
+  for (std::size_t i = 0; i < scenario.selfContactParts.size(); ++i)
+    if (const auto known = checkPartNamed(joint, scenario.selfContactParts[i], place, pointerTo("/selfContactParts", i), {}); !known)
+      return known;
   if (const auto good = checkActionsOn(scenario, joint, place); !good) return good;
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const Tool& tool = scenario.tools[t];

@@ -206,6 +206,7 @@ JsonValue fromScenario(const Scenario& scenario) {
   for (const EffectWord& effect : kEffects)
     effects.set(effect.word, wordOf(kWishes, scenario.effects.*effect.wish));
   json.set("effects", std::move(effects));
+  if (!scenario.selfContactParts.empty()) json.set("selfContactParts", fromTexts(scenario.selfContactParts));
   json.set("cameras", listOf(scenario.cameras, fromCamera));
   json.set("input", scenario.input);
   json.set("seed", scenario.seed);
@@ -238,6 +239,7 @@ Scenario toScenario(const JsonValue& json) {
     Wish& wish = scenario.effects.*effect.wish;
     wish = valueOf(kWishes, json["effects"][effect.word].text(), wish);
   }
+  scenario.selfContactParts = toTexts(json["selfContactParts"]);
   scenario.cameras = vectorOf(json["cameras"], toCamera);
   scenario.input = json["input"].text();
   scenario.seed = static_cast<unsigned>(json["seed"].integer(scenario.seed));

@@ -17,7 +17,7 @@ const char* unusedName(UnusedSetting::Why why) {
 }
 
 const std::vector<std::string>& effectsNotBuilt() {
-  static const std::vector<std::string> names = {"selfContact", "haptics"};
+  static const std::vector<std::string> names = {"haptics"};
   return names;
 }
 

@@ -129,6 +129,44 @@ class BoxTree {
     walkPairsWhere(a, b, visit, [](const Node& i, const Node& j) { return overlap(i, j); });
   }
 
+  /// Calls visit(i, j) once for every two different leaves of this tree whose boxes overlap, in the same order on every run.
+  /// What may(nodeIndex, nodeIndex) refuses is left out with all that is under it; both indices may be the same.
+  template <class Visit, class May>
+  void walkSelf(Visit&& visit, May&& may) const {
+    if (m_nodes.empty()) return;
+    std::array<std::array<std::int32_t, 2>, 3 * kMaxDepth + 4> stack;
+    int top = 0;
+    const auto push = [&](std::int32_t i, std::int32_t j) {
+      stack[top] = {i, j};
+      top += (i == j || overlap(m_nodes[i], m_nodes[j])) && may(i, j);
+    };
+    push(0, 0);
+    while (top > 0) {
+      const auto [i, j] = stack[--top];
+      const Node& a = m_nodes[i];
+      const Node& b = m_nodes[j];
+      if (i == j) {
+        if (a.leaf()) continue;
+        push(a.second, a.second);
+        push(a.first, a.first);
+        push(a.first, a.second);
+      } else if (!a.leaf() && !b.leaf()) {
+        push(a.second, b.second);
+        push(a.second, b.first);
+        push(a.first, b.second);
+        push(a.first, b.first);
+      } else if (!a.leaf()) {
+        push(a.second, j);
+        push(a.first, j);
+      } else if (!b.leaf()) {
+        push(i, b.second);
+        push(i, b.first);
+      } else {
+        visit(a.item(), b.item());
+      }
+    }
+  }
+
   /// Nearest item: evaluate(item, best) returns the squared distance of an item, or anything ≥ best if it is
   /// not nearer. Starts from `best` (squared) and returns the least found. Nearer child first. Stops looking
   /// as soon as the best is not above `enough`.

@@ -37,6 +37,9 @@ Result<Done> checkWishes(const Joint& joint, const Scenario& scenario) {
     if (!link.empty() && (carrier < 0 || !scenario.tools[carrier].link.empty()))
       return fault(Fault::UnknownId, "/tools/" + std::to_string(i) + "/link", {link, "tool"});
   }
+  for (std::size_t i = 0; i < scenario.selfContactParts.size(); ++i)
+    if (findPart(joint, scenario.selfContactParts[i]) < 0)
+      return fault(Fault::UnknownId, "/selfContactParts/" + std::to_string(i), {scenario.selfContactParts[i], "part"});
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     for (const std::string& part : scenario.tools[i].perforates)
       if (findPart(joint, part) < 0) return fault(Fault::UnknownId, "/tools/" + std::to_string(i) + "/perforates", {part, "part"});
@@ -171,6 +174,7 @@ EffectGrounds groundsOf(const Model& model) {
   grounds.gravity = anyFree && model.scenario.gravity_W.norm() > 0;
   grounds.couplings = !model.joint.couplings.empty();
   grounds.contact = !model.collisionPairs.empty() || !model.joint.bursae.empty();
+  grounds.selfContact = std::any_of(model.collisionPairs.begin(), model.collisionPairs.end(), [](const CollisionPair& pair) { return pair.self(); });
   for (const Material& material : model.joint.materials)
     grounds.damping = grounds.damping || material.massDamping > 0 || material.stiffnessDamping > 0;
   for (const Coupling& coupling : model.joint.couplings) grounds.damping = grounds.damping || coupling.damping > 0;

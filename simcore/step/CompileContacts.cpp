@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -68,6 +70,34 @@ bool linked(const Scenario& scenario, const SceneObject& a, const SceneObject& b
   return scenario.tools[a.toolIndex].link == b.id || scenario.tools[b.toolIndex].link == a.id;
 }
 
+/// Whether the scene asks that a part may fold onto itself.
+bool foldsOntoItself(const Scenario& scenario, const SceneObject& object) {
+  if (scenario.effects.selfContact == Wish::Off || object.layout.rigid || !object.layout.free) return false;
+  const auto& named = scenario.selfContactParts;
+  if (named.empty()) return scenario.effects.selfContact == Wish::On;
+  return std::find(named.begin(), named.end(), object.id) != named.end();
+}
+
+/// The element that drives each collision vertex of a soft object; −1: none that is known.
+std::vector<int> elementsOfVertices(const SceneObject& object) {
+  constexpr int kTetsOfCell = 5;
+  std::map<std::array<int, 4>, int> tetOf;
+  if (object.volume)
+    for (std::size_t t = 0; t < object.volume->tets.size(); ++t) {
+      std::array<int, 4> nodes = object.volume->tets[t];
+      std::sort(nodes.begin(), nodes.end());
+      tetOf.emplace(nodes, static_cast<int>(t));
+    }
+  std::vector<int> elements;
+  for (const VertexBinding& vertex : object.collision.vertices) {
+    std::array<int, 4> nodes = vertex.node;
+    std::sort(nodes.begin(), nodes.end());
+    const auto found = tetOf.find(nodes);
+    elements.push_back(found == tetOf.end() ? -1 : object.cells ? found->second / kTetsOfCell : found->second);
+  }
+  return elements;
+}
+
 bool rough(const SceneObject& object) {
   return std::any_of(object.friction.begin(), object.friction.end(), [](double mu) { return mu > 0; });
 }
@@ -115,6 +145,14 @@ void compileContacts(Model& model) {
       }
       model.collisionPairs.push_back(std::move(pair));
     }
+  }
+  // After all others, so that what these are called does not depend on the effect.
+  for (int object = 0; object < count; ++object) {
+    if (!foldsOntoItself(model.scenario, model.objects[object])) continue;
+    CollisionPair pair;
+    pair.surfaceA = pair.surfaceB = object;
+    pair.cellOfVertex = elementsOfVertices(model.objects[object]);
+    model.collisionPairs.push_back(std::move(pair));
   }
 }
 

@@ -17,7 +17,8 @@ bool compileFriction(Model& model);
 
 /// Pairs that may collide and the triangles they leave out; fills model.collisionSurfaces and collisionPairs.
 /// Left out are: exclusions of the joint, two fixed objects, a tool and what it perforates, and, between two
-/// coupled parts, the triangles within 3 mm of the region that couples them.
+/// coupled parts, the triangles within 3 mm of the region that couples them. Last come the parts that may fold onto
+/// themselves.
 void compileContacts(Model& model);
 
 /// The joint's bursae on the collision surfaces; after compileContacts. One whose sides have nothing is left out.

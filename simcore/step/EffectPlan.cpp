@@ -21,7 +21,7 @@ std::vector<EffectPlan> planEffects(const Effects& wish, const EffectGrounds& gr
   return {plan("gravity", wish.gravity, grounds.gravity),
           plan("couplings", wish.couplings, grounds.couplings),
           plan("contact", wish.contact, grounds.contact),
-          notBuilt("selfContact", wish.selfContact),
+          plan("selfContact", wish.selfContact, grounds.selfContact),
           plan("friction", wish.friction, grounds.friction),
           plan("damping", wish.damping, grounds.damping),
           plan("bursa", wish.bursa, grounds.bursa),

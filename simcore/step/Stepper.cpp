@@ -17,6 +17,7 @@ const char* stageName(Stage stage) {
     case Stage::Unconstrained: return "unconstrained";
     case Stage::Surfaces: return "surfaces";
     case Stage::Collide: return "collide";
+    case Stage::SelfContact: return "selfContact";
     case Stage::Islands: return "islands";
     case Stage::Delassus: return "delassus";
     case Stage::Contact: return "contact";
@@ -124,6 +125,9 @@ void Stepper::Work::findProximities(const State& state) {
   lastNormals.clear();
   for (const State::Impulse& impulse : state.impulses) lastNormals.push_back({impulse.key, impulse.normal_W});
   proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt, lastNormals);
+  const double selfMs = finder->counts().selfMs;
+  collideReport.cpuMs[static_cast<int>(Stage::SelfContact)] += selfMs;
+  collideReport.cpuMs[static_cast<int>(Stage::Collide)] -= selfMs;  // the clock of the whole search adds it
   if (inside->films.empty()) return;
   const StageClock filmClock(collideReport, Stage::Bursa);
   for (std::size_t f = 0; f < films.size(); ++f) films[f] = &filmSearches[f].find(positionSpans);
@@ -159,6 +163,8 @@ bool Stepper::Work::searchAgain(const State& state) {
   const StageClock clock(report, Stage::Collide);
   const std::span<const ProximityFinder::Motion> used(motions.data(), static_cast<std::size_t>(motionCount));
   proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt, lastNormals);
+  report.cpuMs[static_cast<int>(Stage::SelfContact)] += finder->counts().selfMs;
+  report.cpuMs[static_cast<int>(Stage::Collide)] -= finder->counts().selfMs;
   return true;
 }
 
@@ -222,7 +228,7 @@ bool solveStep(Stepper::Work& work, const State& state) {
       work.worker->wait();
     else
       work.findProximities(state);
-    for (const Stage stage : {Stage::Surfaces, Stage::Collide, Stage::Bursa}) {
+    for (const Stage stage : {Stage::Surfaces, Stage::Collide, Stage::SelfContact, Stage::Bursa}) {
       work.report.cpuMs[static_cast<int>(stage)] += work.collideReport.cpuMs[static_cast<int>(stage)];
       work.workerMs += work.collideReport.cpuMs[static_cast<int>(stage)];
     }

@@ -38,7 +38,7 @@ struct DentView {
 };
 
 /// The stages whose time is taken.
-enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, Islands, Delassus, Contact, Friction, Bursa, Dent, Integrate, Count };
+enum class Stage { Assemble, Factor, Unconstrained, Surfaces, Collide, SelfContact, Islands, Delassus, Contact, Friction, Bursa, Dent, Integrate, Count };
 inline constexpr int kStageCount = static_cast<int>(Stage::Count);
 const char* stageName(Stage stage);
 

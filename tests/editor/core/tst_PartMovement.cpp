@@ -48,6 +48,27 @@ TEST(PartMovement, tissueIsFixedOrFreeAndStrangersAreRefused) {
   EXPECT_FALSE(setMovement(document, "ulna", Movement::Fixed));
 }
 
+TEST(PartMovement, tissueMayTouchItself) {
+  Document document;
+  document.open(twoParts(), {});
+  EXPECT_FALSE(foldsOntoItself(document.scenario(), "muscle"));
+  EXPECT_FALSE(setFoldsOntoItself(document, "bone", true));  // bone does not bend
+  EXPECT_FALSE(setFoldsOntoItself(document, "ulna", true));
+  EXPECT_FALSE(setFoldsOntoItself(document, "muscle", false));
+  EXPECT_TRUE(setFoldsOntoItself(document, "muscle", true));
+  EXPECT_EQ(document.scenario().selfContactParts, (std::vector<std::string>{"muscle"}));
+  EXPECT_TRUE(setMovement(document, "muscle", Movement::Fixed));
+  EXPECT_TRUE(document.scenario().selfContactParts.empty());  // nor does what is fixed
+  EXPECT_FALSE(setFoldsOntoItself(document, "muscle", true));
+  document.undoStack().undo();
+  EXPECT_TRUE(foldsOntoItself(document.scenario(), "muscle"));
+  EXPECT_TRUE(setFoldsOntoItself(document, "muscle", false));
+  EXPECT_FALSE(foldsOntoItself(document.scenario(), "muscle"));
+  document.undoStack().undo();
+  document.undoStack().undo();
+  EXPECT_TRUE(document.scenario().selfContactParts.empty());
+}
+
 TEST(PartMovement, anEmptySceneHasNoParts) {
   Document document;
   document.open(emptyScene(QStringLiteral("Untitled")), {});

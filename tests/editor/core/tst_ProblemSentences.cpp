@@ -77,6 +77,7 @@ TEST(NoticeSentences, everyKindHasItsOwnSentenceAndNoHoleInIt) {
   scenario.tools[0].name = "Index %1";
   const QString named = sentenceOf(Notice{NoticeKind::MarkMissed, "press", "finger / block", 0.005, 0, 0.25, 50, {}}, namesIn(joint, scenario));
   EXPECT_NE(named.indexOf(QStringLiteral("“press” (Index %1 / ") + QString::fromStdString(joint.parts[findPart(joint, "block")].name)), -1) << named.toStdString();
+  EXPECT_NE(sentenceOf(Notice{NoticeKind::TooDeep, "flap", "flap", 0.0015, 0.001, 0.25, 50, {}}).indexOf(u"1.5 mm deep in itself"), -1);
   EXPECT_NE(sentenceOf(Notice{NoticeKind::TooDeep, "a %2 thing", "plate", 0.0015, 0.001, 0.25, 50, {}}).indexOf(u"1.5 mm deep"), -1);
 }
 

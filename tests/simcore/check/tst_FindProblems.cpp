@@ -51,12 +51,12 @@ TEST(FindProblems, wishesOfTheScenarioThatDoNothingAreWarnings) {
   const Joint joint = soundJoint();
   Scenario scenario;
   EXPECT_FALSE(has(findProblems(joint, &scenario), ProblemKind::SettingUnused));
-  scenario.effects.selfContact = Wish::On;
+  scenario.effects.haptics = Wish::On;
   scenario.seed = 3;
   const auto problems = findProblems(joint, &scenario);
   EXPECT_EQ(std::count_if(problems.begin(), problems.end(), [](const Problem& p) { return p.kind == ProblemKind::SettingUnused; }), 2);
   EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->severity, Severity::Warning);
-  EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->unused->name, "selfContact");
+  EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->unused->name, "haptics");
 }
 
 /// A block that holds, and a bar of 10 cm below it, bonded at its top; below that a weight of bone where `weight` (20 g).

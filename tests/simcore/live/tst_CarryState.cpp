@@ -13,6 +13,7 @@
 #include "simcore/live/Run.h"
 #include "simcore/live/SimulationThread.h"
 #include "tests/scenes/BlockScenes.h"
+#include "tests/scenes/FoldScenes.h"
 #include "tests/simcore/study/ShippedScene.h"
 
 namespace glenoid {
@@ -153,6 +154,35 @@ TEST(CarryState, exclusionsRenumberPairsAndImpulsesFollow) {
   expectKept(*now.model, now.state, *fewer, carried);
   const State back = carryState(*fewer, carried, *now.model);
   EXPECT_EQ(toHex(stateHash(back)), toHex(stateHash(now.state))) << "there and back";
+}
+
+TEST(CarryState, aPartThatPressesOnItselfKeepsItsImpulses) {
+  Joint joint = scenes::zigzagJoint(0.004);
+  Scenario scenario;
+  scenario.id = scenario.name = "zigzag";
+  scenario.fixedParts = {"floor"};
+  scenario.selfContactParts = {"zigzag"};
+  const auto model = compileModel(joint, scenario).value();
+  Stepper stepper(model, {});
+  State state = model->start;
+  for (int i = 0; i < 40; ++i) stepper.step({}, state);
+  const Impulses before = impulsesOf(*model, state);
+  ASSERT_TRUE(before.count("zigzag / zigzag"));
+  ASSERT_TRUE(before.count("floor / zigzag"));
+  EXPECT_EQ(toHex(stateHash(carryState(*model, state, *compileModel(joint, scenario).value()))), toHex(stateHash(state)));
+  // Another order of parts turns the pair with the floor round, a pair more gives both another number.
+  std::swap(joint.parts[0], joint.parts[1]);
+  joint.parts.push_back(scenes::boxPart("far", 3, PartKind::Rigid, Vec3(0.5, 0, 0), Vec3(0.6, 0.1, 0.1)));
+  const auto turned = compileModel(joint, scenario).value();
+  const State there = carryState(*model, state, *turned);
+  EXPECT_EQ(impulsesOf(*turned, there), before);
+  EXPECT_EQ(toHex(stateHash(carryState(*turned, there, *model))), toHex(stateHash(state))) << "there and back";
+  // Without the effect they are gone, and nothing else.
+  scenario.effects.selfContact = Wish::Off;
+  const State without = carryState(*turned, there, *compileModel(joint, scenario).value());
+  Impulses rest = before;
+  rest.erase("zigzag / zigzag");
+  EXPECT_EQ(impulsesOf(*compileModel(joint, scenario).value(), without), rest);
 }
 
 TEST(CarryState, aPartMoreInFrontShiftsEverythingAndChangesNothing) {

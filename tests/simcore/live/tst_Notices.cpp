@@ -39,17 +39,16 @@ TEST(Notices, aCalmSceneHasNone) {
 
 TEST(Notices, wishesThatDoNothingAreNamed) {
   Scenario scenario = scenes::blockOnPlateScenario();
-  scenario.effects.selfContact = scenario.effects.haptics = scenario.effects.bursa = Wish::On;
+  scenario.effects.haptics = scenario.effects.bursa = Wish::On;
   scenario.seed = 7;
   scenario.loadRise = 0.5;
   const auto notices = noticesOf(scenes::blockOnPlateJoint(), scenario, 0.02);
-  ASSERT_EQ(notices.size(), 5u);
-  EXPECT_EQ(notices[0].subject, "selfContact");
-  EXPECT_EQ(notices[1].subject, "haptics");
-  EXPECT_EQ(notices[2].unused.why, UnusedSetting::Why::LoadRise);
-  EXPECT_EQ(notices[3].unused.why, UnusedSetting::Why::Seed);
-  EXPECT_EQ(notices[4].kind, NoticeKind::EffectIdle);
-  EXPECT_EQ(notices[4].subject, "bursa");
+  ASSERT_EQ(notices.size(), 4u);
+  EXPECT_EQ(notices[0].subject, "haptics");
+  EXPECT_EQ(notices[1].unused.why, UnusedSetting::Why::LoadRise);
+  EXPECT_EQ(notices[2].unused.why, UnusedSetting::Why::Seed);
+  EXPECT_EQ(notices[3].kind, NoticeKind::EffectIdle);
+  EXPECT_EQ(notices[3].subject, "bursa");
 }
 
 TEST(Notices, aDepthBeyondItsLimitNamesPairAndTime) {
