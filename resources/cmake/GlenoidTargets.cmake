@@ -56,7 +56,9 @@ set(GLENOID_SANITIZED_FILTER "-Hertz.*:Energy.neverGrowsInAnImpactOfAnyTissueUpT
   "Simplify.smoothShapes*" "Simplify.surfaceThatCuts*" "Simplify.largeSurface*" "Cells.chosenCellsReachTheTargets"
   "NearCouplings.aBallLimitsIt" "NearCouplings.whatCannotHoldIsRefusedByName" "RefineJoint.aCarriedState*" "ContactState.*"
   "Stacking.tenStandForAMinute" "Sliding.bumps*" "Tunnelling.whatIsThrown*" "FrictionCost.*" "ImportWorker.memoryHasALimit"
-  "FindProblems.ofHalfAMillion*" "LargeMeshes.*")
+  "FindProblems.ofHalfAMillion*" "LargeMeshes.*"
+  "SelfContact.aPressed*" "SelfContact.aSheet*" "SelfContact.aSqueezed*" "SelfContact.threeLayers*" "SelfContact.aSlit*"
+  "SelfContact.keepsMomentum*" "SelfContact.layersOn*")
 list(JOIN GLENOID_SANITIZED_FILTER ":" GLENOID_SANITIZED_FILTER)
 
 # Programs that run at length, on larger scenes or by the clock, what others check once: continuous integration builds and
