@@ -32,7 +32,7 @@ Result<TetMesh> embedInCells(const TriMesh& visual, const TriMesh& collision, do
 /// `Band`: along the part's principal axes, the third bent as the part is (BandShape.h), for bands thinner than a cell.
 enum class GridAxes { World, Principal, Band };
 /// Cells along a band are this much wider than they are long: between its ends a band bends along its length, so that is where
-/// its cells are needed. With as many tetrahedra as in the paper's table the shipped coracoacromial ligament then gives 0.9 of
+/// its cells are needed. With as many tetrahedra as in the paper's table the shipped coracoacromial ligament then gives 0.77 of
 /// what fine cells give under a probe; in cubes 0.5.
 inline constexpr double kBandCellsWider = 1.6;
 
