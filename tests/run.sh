@@ -25,6 +25,7 @@ done
 without='^gui$'
 [ "$quick" = 1 ] && without='^(gui|long)$'
 
+glenoid_lists+=(packages-tests-debian12.txt)
 glenoid_install_packages
 glenoid_make all
 

@@ -9,9 +9,12 @@ glenoid_build=${GLENOID_BUILD:-$glenoid_root/build/release}
 
 glenoid_say() { printf '%s\n' "$*" >&2; }
 
-# Names in the package list, without comments.
+# Lists of packages in this folder that the caller wants; tests/run.sh adds one.
+glenoid_lists=(packages-debian12.txt)
+
+# Names in those lists, without comments.
 glenoid_packages() {
-  sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$glenoid_root/resources/packaging/packages-debian12.txt"
+  (cd "$glenoid_root/resources/packaging" && sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "${glenoid_lists[@]}")
 }
 
 # Those of the list that are not installed, one a line.
