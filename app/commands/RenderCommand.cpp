@@ -28,7 +28,7 @@ Result<Done> render(Wishes wishes) {
   if (!scene) return scene.error();
   const auto model = compileModel(scene->joint, scene->scenario);
   if (!model) return model.error();
-  wishes.picture.stretchLaw = hasStretchLaw(scene->scenario);
+  wishes.picture.stretchLaw = hasStretchLaw(scene->scenario.profile);
   if (wishes.time <= 0) return drawPicture(**model, (*model)->start, {}, wishes.picture);
 
   const Result<std::optional<Recording>> input = openShippedInput(wishes.scene, scene->scenario);

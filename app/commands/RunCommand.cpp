@@ -86,7 +86,7 @@ Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunRes
     if (const auto saved = writeJson(wishes.state, state); !saved) return saved;
   }
   if (!wishes.vtu.empty()) {
-    const Result<std::string> tissue = tissueVtu(model, result.state);
+    const Result<std::string> tissue = tissueVtu(model, result.state, stretchLaw);
     if (!tissue) return tissue.error();
     if (const auto saved = writeWholeFile(wishes.vtu, *tissue); !saved) return saved;
   }
@@ -144,7 +144,7 @@ Result<Done> run(const Wishes& wishes) {
   Result<RunResult> result = runScenario(*model, options);
   if (!result) return result.error();
   result->report.scenario = wishes.scenario;
-  const bool stretchLaw = scene->scenario.profile != Profile::Paper || options.stepper.paper.stretchLaw;
+  const bool stretchLaw = hasStretchLaw(scene->scenario.profile, options.stepper.paper);
   if (result->recording) result->recording->scenario = wishes.scenario;
 
   if (result->recording)

@@ -101,7 +101,7 @@ void FieldView::compute() {
   state.q = snapshot.q;
   state.rotations = snapshot.rotations;
   m_values = std::make_shared<const SurfaceValues>(
-      m_field->read(*m_quantity, state, snapshot.report.contactViews, hasStretchLaw(snapshot.model->scenario)));
+      m_field->read(*m_quantity, state, snapshot.report.contactViews, hasStretchLaw(snapshot.model->scenario.profile)));
   m_valuesModel = snapshot.model;
 }
 

@@ -87,7 +87,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   if (options.checks) collision.emplace(*model, SurfaceKind::Collision);
   if (collision) collision->setLimit(options.failDepth);
   std::optional<RunWatch> watch;
-  const bool stretchLaw = options.stepper.profile != Profile::Paper || options.stepper.paper.stretchLaw;
+  const bool stretchLaw = hasStretchLaw(options.stepper.profile, options.stepper.paper);
   if (options.checks) watch.emplace(*model, stretchLaw);
   if (options.checks && options.visualEvery > 0) visual.emplace(*model, SurfaceKind::Visual);
   std::optional<Pacer> pacer;

@@ -59,8 +59,6 @@ double largestPrincipal(const Mat3& symmetric) {
 
 double pressureOf(const Mat3& stress) { return -stress.trace() / 3; }
 
-bool hasStretchLaw(const Scenario& scenario) { return scenario.profile != Profile::Paper; }
-
 SurfaceField::SurfaceField(std::shared_ptr<const Model> model) : m_model(std::move(model)), m_tables(m_model->objects.size()) {
   for (std::size_t i = 0; i < m_model->objects.size(); ++i) {
     const SceneObject& object = m_model->objects[i];

@@ -58,9 +58,6 @@ class SurfaceField {
   bool m_hasTissue = false;
 };
 
-/// Whether a scenario's step has the stretch law: all but the published one.
-bool hasStretchLaw(const Scenario& scenario);
-
 /// The largest value of a part and where it is.
 struct FieldPeak {
   double value = 0;

@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "simcore/export/VtuGrid.h"
+#include "simcore/step/PaperSettings.h"
 #include "simcore/step/StepModel.h"
 
 namespace glenoid {
 
-std::vector<ElementReading> readTissue(const Model& model, const State& state, int object) {
+std::vector<ElementReading> readTissue(const Model& model, const State& state, int object, std::optional<bool> stretchLaw) {
   const auto& soft = static_cast<const SoftObject&>(*model.inside->objects[object]);
   std::vector<ElementReading> elements;
-  const bool stretchLaw = model.scenario.profile != Profile::Paper;
-  for (int e = 0; e < soft.elementCount(); ++e) elements.push_back(soft.readElement(e, state, stretchLaw));
+  const bool law = stretchLaw.value_or(hasStretchLaw(model.scenario.profile));
+  for (int e = 0; e < soft.elementCount(); ++e) elements.push_back(soft.readElement(e, state, law));
   return elements;
 }
 
@@ -21,7 +22,7 @@ double vonMises(const Mat3& stress) {
   return std::sqrt(1.5) * deviator.norm();
 }
 
-Result<std::string> tissueVtu(const Model& model, const State& state) {
+Result<std::string> tissueVtu(const Model& model, const State& state, std::optional<bool> stretchLaw) {
   VtuGrid grid;
   grid.pointFields = {{"displacement", 3, false, {}}, {"velocity", 3, false, {}}};
   grid.cellFields = {{"part", 1, true, {}}, {"strain", 9, false, {}}, {"stress", 9, false, {}}, {"vonMises", 1, false, {}}};
@@ -33,7 +34,7 @@ Result<std::string> tissueVtu(const Model& model, const State& state) {
       grid.pointFields[0].append(Vec3(state.q.segment<3>(object.layout.qOffset + 3 * node) - object.volume->nodes[node]));
       grid.pointFields[1].append(object.layout.free ? Vec3(state.v.segment<3>(object.layout.vOffset + 3 * node)) : Vec3::Zero().eval());
     }
-    for (const ElementReading& element : readTissue(model, state, static_cast<int>(i))) {
+    for (const ElementReading& element : readTissue(model, state, static_cast<int>(i), stretchLaw)) {
       grid.cellFields[0].values.push_back(object.number);
       grid.cellFields[1].append(element.strain_W);
       grid.cellFields[2].append(element.stress_W);

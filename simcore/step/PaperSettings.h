@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "simcore/scene/Scenario.h"
+
 namespace glenoid {
 
 /// What the `paper` profile adds to the step as published, each off unless it is asked for. The other profiles always
@@ -18,6 +20,9 @@ struct PaperSettings {
 
   static PaperSettings all() { return {true, true, true, true, true}; }
 };
+
+/// Whether the steps of a profile have the stretch law.
+inline bool hasStretchLaw(Profile profile, const PaperSettings& paper = {}) { return profile != Profile::Paper || paper.stretchLaw; }
 
 /// The member of a word ("tension", "recovery-cap", "parts", "search-again", "stretch-law"); null for another word.
 bool* paperSetting(PaperSettings& settings, const std::string& word);

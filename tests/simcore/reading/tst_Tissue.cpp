@@ -168,6 +168,25 @@ TEST(Tissue, stressTurnsWithThePart) {
   }
 }
 
+TEST(Tissue, isReadByTheLawThatTheStepsHad) {
+  // Twice as long and held at its sides: P = h' (2µ + λ) h + E (s − 1 − h h') with h = 0.2 + c ln(1 + (s − 1.2)/c), c = 0.45; and
+  // (2µ + λ)(s − 1) by the linear law.
+  Scenario scenario = patchScenario();
+  scenario.profile = Profile::Paper;
+  const auto model = compileModel(patchJoint(), scenario).value();
+  State state = model->start;
+  const Mat3 F = Vec3(2, 1, 1).asDiagonal();
+  for (int node = 0; node < model->objects[0].layout.nodeCount; ++node)
+    state.q.segment<3>(3 * node) = F * model->objects[0].volume->nodes[node];
+  const double mu = kYoung / 2 / (1 + kPoisson), lambda = kYoung * kPoisson / (1 + kPoisson) / (1 - 2 * kPoisson);
+  const double c = 0.45, h = 0.2 + c * std::log(1 + 0.8 / c), slope = c / (c + 0.8);
+  const double linear = 2 * mu + lambda, stretch = slope * linear * h + kYoung * (1 - h * slope);
+  EXPECT_LT(stretch, 0.95 * linear);
+  for (const auto& [law, wanted] : {std::pair{std::optional<bool>(), linear}, {std::optional(false), linear}, {std::optional(true), stretch}})
+    for (const ElementReading& element : readTissue(*model, state, 0, law)) EXPECT_NEAR(element.stress_W(0, 0), wanted, 1e-9 * linear);
+  EXPECT_NE(*tissueVtu(*model, state, true), *tissueVtu(*model, state, false));
+}
+
 TEST(Tissue, theGridHoldsEveryNodeAndCell) {
   const auto model = compileModel(patchJoint(), patchScenario()).value();
   const auto vtu = tissueVtu(*model, model->start);
