@@ -22,7 +22,7 @@ struct PictureWishes {
   std::string part;            ///< id or number of the only part shown, framed; empty: all
   std::string sheet;           ///< as sheetNamed reads it; empty: one picture
   std::string colour;          ///< as quantityNamed reads it; empty: parts as they look
-  std::string colourRange;     ///< as readColours reads it; empty: from the values
+  std::string colourRange;     ///< as checkColours reads it; empty: from the values
   bool stretchLaw = true;      ///< whether the steps had it
 };
 

@@ -72,11 +72,7 @@ LegendBox LegendPainter::draw(const FieldLook& field, const Target& target, unsi
     const Eigen::Vector4f color(ink.x(), ink.y(), ink.z(), 1);
     for (const double x : {left + pad + bar, left + pad + bar + tick}) strokes.push_back({Eigen::Vector3f(float(x), float(up), 0), color});
   }
-  Eigen::Matrix4f pixels = Eigen::Matrix4f::Identity();
-  pixels(0, 0) = 2.0f / static_cast<float>(target.width);
-  pixels(1, 1) = 2.0f / static_cast<float>(target.height);
-  pixels(0, 3) = pixels(1, 3) = -1;
-  lines.begin(pixels, target.width, target.height, 0);
+  lines.beginPixels(target.width, target.height);
   glEnable(GL_BLEND);
   lines.lines(strokes, {static_cast<float>(1.2 * unit), 0, 1});
   words.text(field.title, {left + pad, top + pad / 2}, text, ink, target.width, target.height);

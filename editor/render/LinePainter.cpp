@@ -36,6 +36,14 @@ void LinePainter::begin(const Eigen::Matrix4f& toClip, int widthPx, int heightPx
   m_height = static_cast<float>(heightPx);
 }
 
+void LinePainter::beginPixels(int widthPx, int heightPx) {
+  Eigen::Matrix4f toClip = Eigen::Matrix4f::Identity();
+  toClip(0, 0) = 2.0f / static_cast<float>(widthPx);
+  toClip(1, 1) = 2.0f / static_cast<float>(heightPx);
+  toClip(0, 3) = toClip(1, 3) = -1;
+  begin(toClip, widthPx, heightPx, 0);
+}
+
 void LinePainter::useLines(const Stroke& stroke) {
   m_lineProgram.use();
   m_lineProgram.set("toClip", m_toClip);

@@ -31,6 +31,9 @@ class LinePainter {
   /// depthScale.
   void begin(const Eigen::Matrix4f& toClip, int widthPx, int heightPx, double depthScale);
 
+  /// The same for positions in pixels of the target from its lower left corner.
+  void beginPixels(int widthPx, int heightPx);
+
   /// From a vertex array with positions: by index, or each two neighbours from `vertices` on.
   void linesByIndex(unsigned array, Range indices, const Eigen::Vector4f& color, const Stroke& stroke);
   void lines(unsigned array, Range vertices, const Eigen::Vector4f& color, const Stroke& stroke);

@@ -27,6 +27,9 @@ void SceneRenderer::Inside::updateField(const FieldLook& field) {
     evaluator.setField(byVertex);
     fieldSent = field.values;
   }
+  const std::array<double, 3> scale{field.low, field.high, field.zeroIsNone ? 1.0 : 0.0};
+  if (scale == scaleSent) return;
+  scaleSent = scale;
   // A scale of 1024 colours: what is interpolated between them is no step to the eye.
   constexpr int kEntries = 1024;
   std::vector<std::array<float, 3>> colors(kEntries);

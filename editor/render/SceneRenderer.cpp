@@ -263,11 +263,7 @@ void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look,
 void SceneRenderer::Inside::drawMarker(const View& view, const Look& look, const Target& target) {
   const double size = markerSize(look, target);
   const MarkerLines marker = markerLines(view, size, look.dark);
-  Eigen::Matrix4f pixels = Eigen::Matrix4f::Identity();
-  pixels(0, 0) = 2.0f / static_cast<float>(target.width);
-  pixels(1, 1) = 2.0f / static_cast<float>(target.height);
-  pixels(0, 3) = pixels(1, 3) = -1;
-  painter.begin(pixels, target.width, target.height, 0);
+  painter.beginPixels(target.width, target.height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   const float width = static_cast<float>(std::max(1.0, size / 48));

@@ -59,6 +59,7 @@ struct SceneRenderer::Inside {
   std::shared_ptr<const std::vector<std::vector<float>>> fieldSent;  ///< values as the GPU has them
   std::vector<char> valued;                                          ///< by object: has some of them
   GlTexture scaleTexture;
+  std::optional<std::array<double, 3>> scaleSent;                    ///< low, high and whether low is nothing, of that texture
 
   bool fits(const VecX& q) const { return q.size() == scene.qSize; }
   void updateBoxes(const VecX& q);

@@ -131,14 +131,11 @@ LawRange TetObject::rangeOf(std::span<const int> elements, const VecX& q) const 
 void TetObject::addStretchLaw(std::vector<int>& elements, const StepSettings& settings, const VecX& q,
                               std::span<const BlockEntry> entries, const VecX& rotations, BlockMatrix& A, Eigen::Ref<VecX> b) const {
   const auto rotationAt = [&](int e) { return Eigen::Map<const Quat>(rotations.data() + rotationOffset() + 4 * e).toRotationMatrix(); };
-  int notSound = 0;
   std::erase_if(elements, [&](int e) {
-    const Mat3 F = deformationGradient(m_elements[e], nodesOf(e, q)), U = rotationAt(e).transpose() * F;
-    if (plainlySound(m_elements[e].lame, 0.5 * (U + U.transpose()))) return true;
-    notSound += tissueState(m_elements[e].lame, F, true) != TissueState::Sound;
-    return false;
+    const Mat3 U = rotationAt(e).transpose() * deformationGradient(m_elements[e], nodesOf(e, q));
+    return plainlySound(m_elements[e].lame, 0.5 * (U + U.transpose()));
   });
-  const LawRange range = lawRange(notSound, elementCount());
+  const LawRange range = rangeOf(elements, q);
   if (range == LawRange::Linear) return;
   for (const int e : elements) {
     const auto& element = m_elements[e];

@@ -3,24 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <ctime>
 #include <memory>
 
+#include "simcore/base/ThreadClock.h"
 #include "simcore/collide/FeatureKey.h"
 #include "simcore/collide/MovingSurface.h"
 #include "simcore/collide/PairSearch.h"
 
 namespace glenoid {
-
-namespace {
-
-double cpuMs() {
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-}
-
-}  // namespace
 
 struct ProximityFinder::Work {
   std::vector<std::shared_ptr<const CollisionSurface>> surfaces;
@@ -81,9 +71,9 @@ const std::vector<Proximity>& ProximityFinder::findAlong(std::span<const std::sp
     const CollisionPair& pair = w.pairs[p];
     const PairSearch::Settings settings{static_cast<int>(p), motionCount, contactDistance, dt, last};
     if (pair.self()) {
-      const double begin = cpuMs();
+      const double begin = threadCpuMs();
       w.search.runSelf(settings, w.moving[pair.surfaceA], w.owners[p][0], *w.rests[p], w.result, w.counts);
-      w.counts.selfMs += cpuMs() - begin;
+      w.counts.selfMs += threadCpuMs() - begin;
     } else {
       w.search.run(settings, w.moving[pair.surfaceA], w.owners[p][0], w.moving[pair.surfaceB], w.owners[p][1], w.result, w.counts);
     }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "simcore/base/ThreadClock.h"
 #include "simcore/base/Worker.h"
 #include "simcore/collide/ProximityFinder.h"
 #include "simcore/contact/ContactIslands.h"
@@ -93,11 +93,7 @@ class StageClock {
  public:
   StageClock(StepReport& report, Stage stage) : m_total(report.cpuMs[static_cast<int>(stage)]), m_begin(nowMs()) {}
   ~StageClock() { m_total += nowMs() - m_begin; }
-  static double nowMs() {
-    timespec time;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
-  }
+  static double nowMs() { return threadCpuMs(); }
 
  private:
   double& m_total;
