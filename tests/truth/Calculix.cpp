@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "tests/simcore/file/TemporaryFolder.h"
@@ -18,9 +19,10 @@ constexpr int kOrder[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0
 
 using Nodes = std::map<std::array<int, 3>, int>;
 
-Nodes writeInput(const BrickProblem& p, const std::string& path) {
+/// A static problem; of its `modes` lowest frequencies where there are any.
+Nodes writeInput(const BrickProblem& p, const std::string& path, double density = 0, int modes = 0) {
   std::ofstream out(path);
-  out.precision(17);
+  out.precision(12);  // the program reads twenty characters of a number and leaves out the rest, an exponent too
   Nodes nodes;
   out << "*NODE, NSET=ALL\n";
   for (int k = 0; k <= 2 * p.nz; ++k)
@@ -29,7 +31,8 @@ Nodes writeInput(const BrickProblem& p, const std::string& path) {
         if (i % 2 + j % 2 + k % 2 > 1) continue;
         const int id = nodes[{i, j, k}] = static_cast<int>(nodes.size()) + 1;
         const Vec2 x = p.map(0.5 * i / p.ns, 0.5 * j / p.nt);
-        out << id << ", " << x.x() << ", " << x.y() << ", " << p.thickness * 0.5 * k / p.nz << "\n";
+        const double lift = p.lift ? p.lift(0.5 * i / p.ns, 0.5 * j / p.nt) : 0;
+        out << id << ", " << x.x() << ", " << x.y() << ", " << p.thickness * 0.5 * k / p.nz + lift << "\n";
       }
   out << "*ELEMENT, TYPE=C3D20R, ELSET=BODY\n";
   std::string pressed;
@@ -44,11 +47,17 @@ Nodes writeInput(const BrickProblem& p, const std::string& path) {
         const bool loaded = p.pressed == '+' ? k == p.nz - 1 : j == p.nt - 1;
         if (loaded) pressed += std::to_string(element) + (p.pressed == '+' ? ", P2, " : ", P5, ") + std::to_string(p.pressure) + "\n";
       }
-  out << "*MATERIAL, NAME=M\n*ELASTIC\n" << p.young << ", " << p.poisson << "\n*SOLID SECTION, ELSET=BODY, MATERIAL=M\n*BOUNDARY\n";
+  out << "*MATERIAL, NAME=M\n*ELASTIC\n" << p.young << ", " << p.poisson << "\n";
+  if (modes > 0) out << "*DENSITY\n" << density << "\n";
+  out << "*SOLID SECTION, ELSET=BODY, MATERIAL=M\n";
+  if (p.held) out << "*BOUNDARY\n";
   for (const auto& [at, id] : nodes)
     for (int axis = 0; axis < 3; ++axis)
-      if (p.held(0.5 * at[0] / p.ns, 0.5 * at[1] / p.nt, 0.5 * at[2] / p.nz, axis)) out << id << ", " << axis + 1 << "\n";
-  out << "*STEP\n*STATIC\n*DLOAD\n" << pressed << "*EL FILE\nS\n*END STEP\n";
+      if (p.held && p.held(0.5 * at[0] / p.ns, 0.5 * at[1] / p.nt, 0.5 * at[2] / p.nz, axis)) out << id << ", " << axis + 1 << "\n";
+  if (modes > 0)
+    out << "*STEP\n*FREQUENCY\n" << modes << "\n*END STEP\n";
+  else
+    out << "*STEP\n*STATIC\n*DLOAD\n" << pressed << "*EL FILE\nS\n*END STEP\n";
   return nodes;
 }
 
@@ -68,17 +77,38 @@ std::optional<Mat3> stressAt(const std::string& path, int node) {
   return std::nullopt;
 }
 
+/// Runs the program on body.inp in a folder.
+bool runIn(const TemporaryFolder& folder) {
+  return std::system(("cd '" + folder.path() + "' && OMP_NUM_THREADS=1 ccx -i body > ccx.log 2>&1").c_str()) == 0;
+}
+
 }  // namespace
 
 bool hasCalculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
 
 std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z) {
   const TemporaryFolder folder;
-  const std::string stem = folder.path("body");
-  const Nodes nodes = writeInput(problem, stem + ".inp");
-  if (std::system(("cd '" + folder.path() + "' && OMP_NUM_THREADS=1 ccx -i body > ccx.log 2>&1").c_str()) != 0) return std::nullopt;
+  const Nodes nodes = writeInput(problem, folder.path("body.inp"));
+  if (!runIn(folder)) return std::nullopt;
   const auto half = [](double share, int count) { return static_cast<int>(std::lround(2 * share * count)); };
-  return stressAt(stem + ".frd", nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
+  return stressAt(folder.path("body.frd"), nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
+}
+
+std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count) {
+  const TemporaryFolder folder;
+  writeInput(problem, folder.path("body.inp"), density, count);
+  if (!runIn(folder)) return std::nullopt;
+  // A table of number, eigenvalue and frequency in radians and in cycles for each time, under a title in spaced capitals.
+  std::ifstream in(folder.path("body.dat"));
+  std::vector<double> found;
+  for (std::string line; std::getline(in, line) && static_cast<int>(found.size()) < count;) {
+    std::istringstream words(line);
+    int number = 0;
+    double eigenvalue = 0, radians = 0, cycles = 0;
+    if (words >> number >> eigenvalue >> radians >> cycles && number == static_cast<int>(found.size()) + 1) found.push_back(cycles);
+  }
+  if (static_cast<int>(found.size()) < count) return std::nullopt;
+  return found;
 }
 
 }  // namespace glenoid::truth

@@ -18,6 +18,7 @@ struct BrickProblem {
   std::function<bool(double s, double t, double z, int axis)> held;
   char pressed = '+';                       ///< mark of the side under pressure, 'd' (t = 1) or '+' (above)
   double pressure = 0;                      ///< on it, inwards
+  std::function<double(double, double)> lift = {};  ///< by how much the body stands higher over (s, t)
 };
 
 /// Whether the program is installed here.
@@ -25,5 +26,7 @@ bool hasCalculix();
 
 /// Stress (mean of the elements around) at the node at (s, t, z), 0 … 1 each; nothing where the program failed.
 std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z);
+/// The lowest natural frequencies, 1/s, ascending, those of rigid motions of a free body too; nothing where the program failed.
+std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count);
 
 }  // namespace glenoid::truth

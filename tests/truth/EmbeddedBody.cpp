@@ -59,10 +59,11 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
   return surface;
 }
 
-EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density)
+EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density,
+                           GridAxes axes)
     : m_surface(std::move(surface)), m_young(young), m_cell(std::cbrt(cell.prod())) {
   const TriMesh& mesh = m_surface.mesh;
-  TetMesh cut = embedInCells(mesh, mesh, CellGrid{{}, cell}).value();
+  TetMesh cut = (axes == GridAxes::World ? embedInCells(mesh, mesh, CellGrid{{}, cell}) : embedAlong(mesh, mesh, cell.x(), axes)).value();
   const ElementTissue alike{lameFrom(young, poisson), density};
   const auto layoutOf = [](const TetMesh& tets) {
     const int n = static_cast<int>(tets.nodes.size());

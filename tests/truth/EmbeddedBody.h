@@ -26,7 +26,9 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
 /// Surfaces are held by stiff springs over their area, the way a scenario's supports are.
 class EmbeddedBody {
  public:
-  EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density = 1);
+  /// `axes`: of the grid; along a band cells have the size of cell.x (embedAlong).
+  EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density = 1,
+               GridAxes axes = GridAxes::World);
 
   /// Nothing with one of these marks moves along an axis of W (0, 1, 2): springs of `stiff` E / cell for each area. Where such a
   /// face cuts through cells they must not be much stiffer than those: a field that is piecewise linear and zero on a face
