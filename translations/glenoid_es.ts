@@ -3910,12 +3910,20 @@
         <translation>Restaure el archivo original o guarde de nuevo la articulación.</translation>
     </message>
     <message>
-        <source>Use a .joint folder, a .scenario.json, or a PLY or VTK mesh.</source>
-        <translation>Use una carpeta .joint, un .scenario.json o una malla PLY o VTK.</translation>
+        <source>Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP or VTK.</source>
+        <translation>Use una carpeta .joint, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP o VTK.</translation>
     </message>
     <message>
         <source>Enlarge the region of the coupling.</source>
         <translation>Amplíe la región del acoplamiento.</translation>
+    </message>
+    <message>
+        <source>Couplings find nothing to hold: %1.</source>
+        <translation>Hay acoplamientos que no encuentran nada que sujetar: %1.</translation>
+    </message>
+    <message>
+        <source>Enlarge “within”, or check unit and place of both parts.</source>
+        <translation>Aumente «within» o compruebe la unidad y la posición de ambas partes.</translation>
     </message>
     <message>
         <source>Change the part or the setting that is named.</source>

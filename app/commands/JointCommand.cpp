@@ -44,17 +44,19 @@ Result<Done> check(const std::string& word, bool json) {
 Result<Done> dents(const std::string& word, const std::string& out) {
   Result<Joint> joint = openJoint(word);
   if (!joint) return joint.error();
+  std::vector<DentPlaces> pressed;
   {
     ProgressLine progress("Pressing " + joint->name);
-    const auto made = makeDents(*joint, {}, [&](const std::string&, double done) {
+    auto made = makeDents(*joint, {}, [&](const std::string&, double done) {
       progress.show(done);
       return true;
     });
     if (!made) return made.error();
+    pressed = std::move(*made);
   }
   if (const auto saved = saveJoint(*joint, out); !saved) return saved.error();
-  for (const Part& part : joint->parts) {
-    if (!part.dents) continue;
+  for (const DentPlaces& places : pressed) {
+    const Part& part = joint->parts[places.part];
     double least = HUGE_VAL, most = 0;
     for (const DentSample& sample : part.dents->samples) {
       least = std::min(least, sample.compliance);
@@ -62,6 +64,8 @@ Result<Done> dents(const std::string& word, const std::string& out) {
     }
     std::printf("%3d  %-24s gives %.3f to %.3f mm/N more under a tip of %.1f mm than its tetrahedra\n", part.number, part.id.c_str(),
                 1e3 * least, 1e3 * most, 1e3 * part.dents->radius);
+    if (places.tooThin > 0)
+      std::printf("     %-24s is too thin for dents at %d of %d places: none there\n", part.id.c_str(), places.tooThin, places.count);
   }
   return Done{};
 }

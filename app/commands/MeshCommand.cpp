@@ -8,7 +8,7 @@
 #include "app/commands/Console.h"
 #include "app/commands/MeshReport.h"
 #include "simcore/file/Json.h"
-#include "simcore/file/Ply.h"
+#include "simcore/file/SurfaceWrite.h"
 #include "simcore/import/ImportSurfaces.h"
 #include "simcore/import/LengthUnit.h"
 
@@ -80,6 +80,7 @@ Result<std::vector<RepairStep>> stepsOf(const Wishes& wishes) {
 }
 
 Result<Done> mend(const Wishes& wishes) {
+  if (!isWrittenAsSurface(wishes.out)) return usageError("“" + wishes.out + "” must end in .ply, .stl or .obj, whose format is then written");
   double metres = 0;
   AxisMap axes;
   if (!wishes.unit.empty()) {
@@ -101,23 +102,24 @@ Result<Done> mend(const Wishes& wishes) {
   const auto surface = chosen(*file, wishes);
   if (!surface) return surface.error();
   ImportedSurface work = **surface;
-  // Lengths in steps are in metres where a unit is named, in the file's unit otherwise.
+  // Lengths in steps without a unit of their own are in metres where --unit is given, in the file's unit otherwise.
   work.mesh = placed(work.mesh, metres > 0 ? metres : 1, axes, Vec3::Zero());
   if (metres > 0) file->metresPerUnit = 1;
   if (wishes.automatic) {
     const std::vector<RepairStep> own = automaticRepairs(lookAt(*file, work, wishes.in));
     steps->insert(steps->begin(), own.begin(), own.end());
   }
-  auto outcome = repair(work.mesh, *steps);
+  const double unit = file->metresPerUnit.value_or(0);
+  auto outcome = repair(work.mesh, *steps, unit);
   if (!outcome) {
     outcome.error().place.file = wishes.in;
     return outcome.error();
   }
-  if (const auto written = writePly(wishes.out, outcome->mesh); !written) return written.error();
-  std::fputs(repairText(outcome->changes).c_str(), stdout);
+  if (const auto written = writeSurface(wishes.out, outcome->mesh); !written) return written.error();
+  std::fputs(repairText(outcome->changes, unit).c_str(), stdout);
   work.mesh = std::move(outcome->mesh);
   file->notes.clear();
-  file->format = "PLY";
+  file->format = writtenFormat(wishes.out);
   const SurfaceDiagnosis after = lookAt(*file, work, wishes.in);
   file->surfaces = {work};
   std::fputs(meshInfoText(wishes.out, *file, {after}).c_str(), stdout);
@@ -138,11 +140,11 @@ void addMeshCommand(CLI::App& app, int& status) {
   infoCommand->add_flag("--json", wishes->json, "For programs");
   infoCommand->callback([=] { finish(info(*wishes)); });
 
-  CLI::App* repairCommand = command->add_subcommand("repair", "Mend one surface and write it as PLY");
+  CLI::App* repairCommand = command->add_subcommand("repair", "Mend one surface and write it");
   repairCommand->add_option("IN", wishes->in, "A file as for info")->required();
-  repairCommand->add_option("--out", wishes->out, "The PLY file to write")->required();
+  repairCommand->add_option("--out", wishes->out, "The file to write: .ply (all digits), .obj or .stl")->required();
   repairCommand->add_flag("--auto", wishes->automatic, "Take all repairs that harm nothing");
-  repairCommand->add_option("--steps", wishes->steps, "Repairs in this order, such as weld,orient,fillHoles,thicken=0.5; after those of --auto");
+  repairCommand->add_option("--steps", wishes->steps, "Repairs in this order, such as weld,orient,fillHoles,thicken=0.5mm; after those of --auto");
   repairCommand->add_option("--surface", wishes->surface, "Which one, by name or number from 1");
   repairCommand->add_option("--unit", wishes->unit, "What the file's numbers are in: mm, cm, m, inch, ft, um; the answer is then in metres");
   repairCommand->add_option("--axes", wishes->axes, "Which axes become x, y and z, such as \"-y z -x\"");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/MeshReport.h"
 
+#include <cstdlib>
+
 #include "app/commands/Console.h"
 #include "app/commands/JsonObject.h"
 #include "simcore/import/LengthUnit.h"
@@ -28,9 +30,17 @@ std::string sizeText(const SurfaceDiagnosis& d) {
   return out;
 }
 
-std::string repairsText(const Finding& finding) {
+/// A length says its unit, so that it means the same in a recipe, with --unit and without: millimetres, four digits.
+RepairStep inMillimetres(RepairStep step, double metres) {
+  if (!isLength(step.kind) || !(step.amount > 0) || !(metres > 0)) return step;
+  step.amount = std::strtod(text("%.4g", 1e3 * metres * step.amount).c_str(), nullptr);
+  step.metresPerUnit = 1e-3;
+  return step;
+}
+
+std::string repairsText(const Finding& finding, double metres) {
   std::string out;
-  for (const RepairStep& step : finding.repairs) out += (out.empty() ? "" : ",") + toWord(step);
+  for (const RepairStep& step : finding.repairs) out += (out.empty() ? "" : ",") + toWord(inMillimetres(step, metres));
   if (out.empty()) return {};
   return text("repair: %s%s", out.c_str(), finding.harmless ? "" : " (on request)");
 }
@@ -48,7 +58,7 @@ std::string surfaceText(const ImportedSurface& surface, const SurfaceDiagnosis& 
     std::string what = text("%ld", finding.count);
     if (finding.kind == FindingKind::Holes) what += text(" (longest %.3g mm around)", finding.measure * mm);
     if (finding.kind == FindingKind::Thin) what += text(" (%.3g mm in the middle)", finding.measure * mm);
-    out += text("    %-8s %-22s %-30s ", findingSeverityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding) + "\n";
+    out += text("    %-8s %-22s %-30s ", findingSeverityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding, d.unit.metres) + "\n";
   }
   return out + (d.healthy() ? "    healthy: closed, manifold, wound outwards\n" : "    not fit to be simulated as it is\n");
 }
@@ -97,12 +107,14 @@ JsonValue meshInfoJson(const std::string& path, const ImportedFile& file, const 
                      {"notes", notes}, {"surfaces", surfaces}});
 }
 
-std::string repairText(const std::vector<RepairChange>& changes) {
+std::string repairText(const std::vector<RepairChange>& changes, double metresPerUnit) {
   std::string out;
   for (const RepairChange& change : changes) {
     out += text("  %-26s %6ld changed, %6ld left, %ld → %ld triangles", toWord(change.step).c_str(), change.changed, change.left,
                 change.trianglesBefore, change.trianglesAfter);
-    if (change.step.kind == RepairKind::Thicken) out += text(", walls now %.4g in the middle", change.measure);
+    if (change.step.kind == RepairKind::Thicken)
+      out += metresPerUnit > 0 ? text(", walls now %.4g mm in the middle", 1e3 * metresPerUnit * change.measure)
+                               : text(", walls now %.4g in the middle", change.measure);
     out += "\n";
   }
   return out;

@@ -14,6 +14,6 @@ std::string meshInfoText(const std::string& path, const ImportedFile& file, cons
 JsonValue meshInfoJson(const std::string& path, const ImportedFile& file, const std::vector<SurfaceDiagnosis>& diagnoses);
 
 /// What `mesh repair` did, a line for each step.
-std::string repairText(const std::vector<RepairChange>& changes);
+std::string repairText(const std::vector<RepairChange>& changes, double metresPerUnit);
 
 }  // namespace glenoid

@@ -46,6 +46,7 @@ QString Sentences::what(const Error& error, const std::vector<QString>& a) {
     case Fault::UnknownFormat: return tr("The format of the file is not known.");
     case Fault::TooFewSprings:
       return tr("The region of the coupling cannot hold against turning: %1 mm² with radii of gyration of %2 and %3 mm.").arg(a[0], a[1], a[2]);
+    case Fault::NothingNear: return tr("Couplings find nothing to hold: %1.").arg(a[0]);
     case Fault::Unusable: return tr("The scene cannot be simulated: %1.").arg(a[0]);
     case Fault::BadUsage: return tr("The command cannot be understood: %1.").arg(a[0]);
     case Fault::NoGraphics: return tr("No OpenGL 3.3 context could be made, so nothing can be drawn in 3D.");
@@ -82,8 +83,9 @@ QString Sentences::advice(Fault fault) {
     case Fault::MeshNotClosed: return tr("Close the holes, so that inside and outside can be told apart.");
     case Fault::BadIndex: return tr("The file was cut or edited; write it again from its source.");
     case Fault::HashMismatch: return tr("Restore the original file, or save the joint again.");
-    case Fault::UnknownFormat: return tr("Use a .joint folder, a .scenario.json, or a PLY or VTK mesh.");
+    case Fault::UnknownFormat: return tr("Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP or VTK.");
     case Fault::TooFewSprings: return tr("Enlarge the region of the coupling.");
+    case Fault::NothingNear: return tr("Enlarge “within”, or check unit and place of both parts.");
     case Fault::Unusable: return tr("Change the part or the setting that is named.");
     case Fault::BadUsage: return tr("“glenoid --help” lists what can be said.");
     case Fault::NoGraphics: return tr("Update the graphics driver, or use the command line, which needs no display.");

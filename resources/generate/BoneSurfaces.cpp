@@ -38,6 +38,8 @@ Importance seen(const Importance& touched) {
   return [touched](const Vec3& p) { return std::max(touched(p), 0.4); };
 }
 
+Bones madeBones();
+
 }  // namespace
 
 Field fieldOf(const TriMesh& closed) {
@@ -45,7 +47,14 @@ Field fieldOf(const TriMesh& closed) {
   return [tree](const Vec3& p) { return tree->signedDistance(p); };
 }
 
-Bones makeBones() {
+const Bones& makeBones() {
+  static const Bones made = madeBones();
+  return made;
+}
+
+namespace {
+
+Bones madeBones() {
   Bones bones;
   bones.humerusShape = humerus::field();
   bones.scapulaShape = scapula::field();
@@ -67,5 +76,7 @@ Bones makeBones() {
   bones.scapulaCoarse = fieldOf(bones.scapula.collision);
   return bones;
 }
+
+}  // namespace
 
 }  // namespace glenoid::generate

@@ -109,7 +109,7 @@ JointRecipe palpationRecipe() {
   JointRecipe recipe = shoulderRecipe();
   recipe.id = "shoulder-superficial";
   recipe.name = "Right shoulder with deltoid and skin";
-  const Bones bones = makeBones();
+  const Bones& bones = makeBones();
 
   Ground ground = groundOf(surfacesOf(recipe.parts[0]));
   for (std::size_t i = 1; i < recipe.parts.size(); ++i) ground = over(ground, groundOf(surfacesOf(recipe.parts[i])));

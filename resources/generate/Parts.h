@@ -17,7 +17,8 @@ struct Bones {
   Field scapulaShape, humerusShape;
   Field scapulaCoarse, humerusCoarse;
 };
-Bones makeBones();
+/// Made by the first call and kept.
+const Bones& makeBones();
 
 /// Signed distance to a closed surface as a field.
 Field fieldOf(const TriMesh& closed);

@@ -111,8 +111,10 @@ Coupling bond(const JointRecipe& recipe, const char* a, const char* region, cons
   return c;
 }
 
-JointRecipe shoulderRecipe() {
-  const Bones bones = makeBones();
+namespace {
+
+JointRecipe madeShoulder() {
+  const Bones& bones = makeBones();
   const Surfaces biceps = bicepsTendon(bones);
   const Surfaces surfaces[] = {bones.scapula,
                                bones.humerus,
@@ -170,6 +172,13 @@ JointRecipe shoulderRecipe() {
   recipe.exclusions = exclusions();
   recipe.bursae = {subacromialBursa()};
   return recipe;
+}
+
+}  // namespace
+
+JointRecipe shoulderRecipe() {
+  static const JointRecipe made = madeShoulder();
+  return made;
 }
 
 Result<Joint> makeShoulder() {

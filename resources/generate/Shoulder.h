@@ -7,7 +7,8 @@
 /// surfaces of our own.
 namespace glenoid::generate {
 
-/// Surfaces, regions, materials, couplings and exclusions; metres. Deterministic; takes some forty seconds.
+/// Surfaces, regions, materials, couplings and exclusions; metres. Deterministic; the first call takes
+/// some forty seconds, a later one gives a copy.
 JointRecipe shoulderRecipe();
 
 /// The recipe carried through the author's pipeline (separation, cells). Fails as buildJoint does.

@@ -63,6 +63,7 @@ Result<Done> cutVolume(const PartRecipe& recipe, Part& part) {
 }  // namespace
 
 Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progress, BuildReport* report) {
+  if (const auto near = checkNearCouplings(recipe.parts, recipe.nearCouplings); !near) return near.error();
   Joint joint;
   joint.id = recipe.id;
   joint.name = recipe.name;

@@ -44,8 +44,9 @@ struct BuildReport {
 /// The author's pipeline without the window (paper §4.2 and 4.3): simplify → separate → cells → volume → couplings →
 /// cages. Parts come out ascending by number; ids, references and materials are not judged here (that is the joint's
 /// check). When surfaces could not be separated the joint is built all the same and the report says so. Fails with
-/// BadMesh, MeshNotClosed, OutOfRange, Unusable (see simplify and chooseCells; the place names the part), UnknownId or
-/// TooFewSprings (a coupling by distance that finds too little; the place names it) or Cancelled. Deterministic.
+/// NothingNear before any work (see checkNearCouplings), BadMesh, MeshNotClosed, OutOfRange, Unusable (see simplify and
+/// chooseCells; the place names the part), UnknownId or TooFewSprings (a coupling by distance that finds too little; the place
+/// names it) or Cancelled. Deterministic.
 Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progress = {},
                          BuildReport* report = nullptr);
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "simcore/mesh/TetTools.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -20,6 +21,7 @@ constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue, before it is known wh
 constexpr double kElements = 4000;   ///< cells of the whole part, about
 constexpr double kDepthMost = 2.5e-3;  ///< m: the search for contacts sees no deeper than 4 mm
 constexpr double kForceAtBottom = 2;  ///< N: what gives so much more that the bottom stops it earlier resists evenly up to there
+constexpr double kStandsFor = 0.5;     ///< of a part's volume: fine cells that hold less do not stand for it
 constexpr double kThicknessShare = 0.4;  ///< a tip past the middle of a band would come out on its other side
 
 Error inPart(Error error, const std::string& part) {
@@ -66,14 +68,14 @@ std::vector<Vec3> placesOn(const Part& part, int use, int count) {
 /// Tissue under a place of the surface, along the normal into the part, m; 0 where none is found. Where the place is an
 /// edge the ray begins a little beside it.
 double thicknessAt(const TriangleTree& surface, const TipPatch& patch) {
-  constexpr double kBelow = 1e-4;
   const Vec3 u = patch.normal_W.unitOrthogonal(), v = patch.normal_W.cross(u);
-  for (int n = 0; n < 9; ++n) {
-    const Vec3 beside = n == 0 ? Vec3::Zero().eval() : Vec3(std::cos(0.785 * n) * u + std::sin(0.785 * n) * v);
-    const Vec3 from = patch.middle_W - kBelow * patch.normal_W + 0.1 * patch.radius * beside;
-    if (!surface.inside(from)) continue;
-    if (const auto hit = surface.cast(from, -patch.normal_W)) return kBelow + hit->distance;
-  }
+  for (const double below : {1e-4, 1e-5, 1e-6})  // m: of a film what is deeper lies outside again
+    for (int n = 0; n < 9; ++n) {
+      const Vec3 beside = n == 0 ? Vec3::Zero().eval() : Vec3(std::cos(0.785 * n) * u + std::sin(0.785 * n) * v);
+      const Vec3 from = patch.middle_W - below * patch.normal_W + 0.1 * patch.radius * beside;
+      if (!surface.inside(from)) continue;
+      if (const auto hit = surface.cast(from, -patch.normal_W)) return below + hit->distance;
+    }
   return 0;
 }
 
@@ -94,6 +96,7 @@ struct Spot {
   int part;
   Vec3 at_W;
   Result<DentSample> sample = Error{};
+  bool tooThin = false;  ///< for the fine cells: no dent
   /// Whether it is as soft as a dent can show.
   bool atBottom() const { return sample && sample->compliance * kForceAtBottom >= sample->depthMost; }
 };
@@ -101,19 +104,23 @@ struct Spot {
 void press(const Joint& joint, const StaticPart& coarse, double radius, Spot& spot) {
   const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
   const TipPatch patch = tipPatchAt(*part.visual, spot.at_W, radius);
+  const double thick = thicknessAt(TriangleTree(*part.visual), patch);
+  spot.sample = DentSample{patch.middle_W, 0, std::min(kDepthMost, kThicknessShare * thick)};
   auto mesh = embedGraded(part, patch, fineCells(part, radius));
   if (!mesh) {
     spot.sample = inPart(mesh.error(), part.id);
     return;
   }
+  double volume = 0;
+  for (int t = 0; t < static_cast<int>(mesh->tets.size()); ++t) volume += tetVolume(*mesh, t);
+  spot.tooThin = volume < kStandsFor * enclosedVolume(*part.visual);
+  if (spot.tooThin) return;
   const auto fine = StaticPart::make(joint, spot.part, std::make_shared<const TetMesh>(std::move(*mesh)), TetFilling::Whole);
   if (!fine) {
     spot.sample = inPart(fine.error(), part.id);
     return;
   }
-  const double more = std::max(0.0, fine->compliance(patch) - coarse.compliance(patch));
-  const double thick = thicknessAt(TriangleTree(*part.visual), patch);
-  spot.sample = DentSample{patch.middle_W, more, std::min(kDepthMost, kThicknessShare * thick)};
+  spot.sample->compliance = std::max(0.0, fine->compliance(patch) - coarse.compliance(patch));
 }
 
 /// All of them on all processors; false where it was cancelled. Every place is a problem of its own, so any number of
@@ -154,7 +161,7 @@ DentTable tableOf(const std::vector<Spot>& spots, int part, double radius) {
 
 }  // namespace
 
-Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
+Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
   std::vector<std::optional<StaticPart>> coarse(joint.parts.size());
   std::vector<Spot> spots;
   std::atomic<int> done = 0;
@@ -188,13 +195,17 @@ Result<Done> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgre
   }
   for (const Spot& spot : spots)
     if (!spot.sample) return spot.sample.error();
+  std::vector<DentPlaces> pressed;
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     if (!coarse[index]) continue;
+    DentPlaces& places = pressed.emplace_back(DentPlaces{static_cast<int>(index)});
+    for (const Spot& spot : spots)
+      if (spot.part == places.part) ++places.count, places.tooThin += spot.tooThin;
     DentTable table = tableOf(spots, static_cast<int>(index), wishes.radius);
     table.basis = dentBasis(joint, joint.parts[index]);
     joint.parts[index].dents = std::make_shared<const DentTable>(std::move(table));
   }
-  return Done{};
+  return pressed;
 }
 
 }  // namespace glenoid

@@ -1,10 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/author/NearCouplings.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
 #include "simcore/coupling/Springs.h"
 #include "simcore/scene/RegionNear.h"
+#include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
+
+namespace {
+
+bool inBall(const NearCoupling& near, const Vec3& p_W) { return !(near.radius > 0) || (p_W - near.centre_W).norm() <= near.radius; }
+
+Vec3 centreOf(const TriMesh& mesh, int triangle) {
+  Vec3 centre = Vec3::Zero();
+  for (const int corner : mesh.triangles[triangle]) centre += mesh.vertices[corner] / 3;
+  return centre;
+}
+
+std::vector<int> trianglesOf(const TriMesh& surface, const TriMesh& other, const NearCoupling& near) {
+  std::vector<int> triangles = trianglesNear(surface, other, near.within);
+  std::erase_if(triangles, [&](int triangle) { return !inBall(near, centreOf(surface, triangle)); });
+  return triangles;
+}
+
+std::string millimetres(double metres) {
+  char out[32];
+  std::snprintf(out, sizeof out, "%.3g mm", 1e3 * metres);
+  return out;
+}
+
+/// “lower” (nearest 7.4 mm, within 1 mm): what an author needs to see which figure is wrong.
+std::string nothingNear(const TriMesh& surface, const TriMesh& other, const NearCoupling& near) {
+  double nearest = HUGE_VAL;
+  const TriangleTree tree(other);
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+    if (const Vec3 centre = centreOf(surface, t); inBall(near, centre)) nearest = std::min(nearest, tree.closest(centre).distance);
+  const std::string name = "“" + near.coupling.id + "” of " + near.coupling.partA + " to " + near.coupling.partB;
+  if (nearest == HUGE_VAL) return name + " (nothing of " + near.coupling.partA + " lies in its ball)";
+  return name + " (nearest " + millimetres(nearest) + ", within " + millimetres(near.within) + ")";
+}
+
+}  // namespace
+
+Result<Done> checkNearCouplings(std::span<const PartRecipe> parts, std::span<const NearCoupling> couplings) {
+  std::string lost;
+  const auto find = [&](const std::string& id) { return std::find_if(parts.begin(), parts.end(), [&](const PartRecipe& p) { return p.id == id; }); };
+  for (const NearCoupling& near : couplings) {
+    const auto a = find(near.coupling.partA), b = find(near.coupling.partB);
+    for (const auto& [found, id] : {std::pair{a, near.coupling.partA}, {b, near.coupling.partB}})
+      if (found == parts.end()) return Error{Fault::UnknownId, {{}, {}, near.coupling.id, {}}, {id, "part"}, "a coupling by distance"};
+    if (!a->visual || !b->visual || !trianglesOf(*a->visual, *b->visual, near).empty()) continue;
+    lost += (lost.empty() ? "" : "; ") + nothingNear(*a->visual, *b->visual, near);
+  }
+  if (!lost.empty()) return Error{Fault::NothingNear, {}, {lost}, "a coupling by distance"};
+  return Done{};
+}
 
 Result<Done> addNearCoupling(Joint& joint, const NearCoupling& near) {
   const Coupling& wish = near.coupling;
@@ -18,14 +72,9 @@ Result<Done> addNearCoupling(Joint& joint, const NearCoupling& near) {
   if (findRegion(part, wish.id)) return fail(Fault::DuplicateId, {wish.id});
 
   const TriMesh& surface = *part.visual;
-  std::vector<int> triangles = trianglesNear(surface, *joint.parts[b].visual, near.within);
-  if (near.radius > 0)
-    std::erase_if(triangles, [&](int triangle) {
-      Vec3 centre = Vec3::Zero();
-      for (const int corner : surface.triangles[triangle]) centre += surface.vertices[corner] / 3;
-      return (centre - near.centre_W).norm() > near.radius;
-    });
-  if (triangles.empty()) return fail(Fault::TooFewSprings, {"0", "0", "0"});
+  const TriMesh& other = *joint.parts[b].visual;
+  std::vector<int> triangles = trianglesOf(surface, other, near);
+  if (triangles.empty()) return fail(Fault::NothingNear, {nothingNear(surface, other, near)});
   Region region;
   region.id = wish.id;
   region.kind = "footprint";

@@ -42,7 +42,7 @@ Result<PreparedSurface> prepareSurface(const ImportedFile& file, const SurfaceSo
   std::vector<RepairStep> steps = source.repairs;
   if (source.thicken > 0) steps.push_back({RepairKind::Thicken, source.thicken});
   if (!steps.empty()) {
-    auto repaired = repair(out.mesh, steps);
+    auto repaired = repair(out.mesh, steps, 1);
     if (!repaired) return repaired.error();
     out.mesh = std::move(repaired->mesh);
     out.changes = std::move(repaired->changes);

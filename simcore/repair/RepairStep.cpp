@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "simcore/file/ByteReader.h"
+#include "simcore/import/LengthUnit.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/repair/Edges.h"
 #include "simcore/repair/Topology.h"
@@ -133,6 +134,8 @@ const char* repairName(RepairKind kind) {
   return "";
 }
 
+bool isLength(RepairKind kind) { return kind == RepairKind::Weld || kind == RepairKind::FillHoles || kind == RepairKind::Thicken; }
+
 Result<RepairStep> repairStepFrom(std::string_view text) {
   const std::size_t mark = text.find('=');
   const std::string_view name = text.substr(0, mark), value = mark == std::string_view::npos ? std::string_view() : text.substr(mark + 1);
@@ -141,8 +144,15 @@ Result<RepairStep> repairStepFrom(std::string_view text) {
     if (name != word.name) continue;
     RepairStep step{word.kind};
     if (word.needs == Word::Amount || (word.needs == Word::MayAmount && mark != std::string_view::npos)) {
-      const auto amount = realIn(value);
-      if (!amount || !std::isfinite(*amount) || *amount < 0) return fail(std::string(name) + " needs a number, such as " + word.name + "=0.5");
+      std::string_view number = value;
+      if (isLength(word.kind))
+        for (const LengthUnit& unit : kLengthUnits)  // the longest that fits: “mm” ends as “m” does
+          if (value.size() > unit.word.size() && value.ends_with(unit.word) && value.size() - unit.word.size() < number.size()) {
+            number = value.substr(0, value.size() - unit.word.size());
+            step.metresPerUnit = unit.metres;
+          }
+      const auto amount = realIn(number);
+      if (!amount || !std::isfinite(*amount) || *amount < 0) return fail(std::string(name) + (isLength(word.kind) ? " needs a length, such as " : " needs a number, such as ") + word.name + (isLength(word.kind) ? "=0.5mm" : "=0.5"));
       step.amount = *amount;
     } else if (word.needs == Word::Axis || word.needs == Word::SignedAxis) {
       std::string_view axis = value;
@@ -181,12 +191,13 @@ std::string toWord(const RepairStep& step) {
       plain << step.amount;
       if (realIn(plain.str()) == step.amount) out << '=' << plain.str();
       else out << '=' << step.amount;
+      if (step.metresPerUnit > 0) out << unitWord(step.metresPerUnit);
     }
   }
   return out.str();
 }
 
-Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>& steps) {
+Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>& steps, double metresPerUnit) {
   const MeshHealth health = healthOf(mesh);
   if (health.badIndices > 0) return Error{Fault::BadIndex, {}, {"of a triangle", std::to_string(health.vertices)}, "repair"};
   if (health.notFinite > 0) return Error{Fault::NotFinite, {}, {}, "repair"};
@@ -196,7 +207,12 @@ Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>&
     change.step = step;
     change.trianglesBefore = static_cast<long>(outcome.mesh.triangles.size());
     if (step.axis < 0 || step.axis > 2) return Error{Fault::OutOfRange, {}, {std::to_string(step.axis), "0", "2"}, "axis of a repair"};
-    Result<TriMesh> next = take(outcome.mesh, step, change);
+    RepairStep own = step;
+    if (own.metresPerUnit > 0) {
+      if (!(metresPerUnit > 0)) return Error{Fault::BadUsage, {}, {"the surface has no unit that “" + toWord(step) + "” could be measured in: name it"}, "repair"};
+      own.amount *= own.metresPerUnit / metresPerUnit;
+    }
+    Result<TriMesh> next = take(outcome.mesh, own, change);
     if (!next) return next.error();
     if (next->triangles.empty()) return leavesNothing("the repair would leave no triangle");
     outcome.mesh = std::move(*next);

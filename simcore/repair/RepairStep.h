@@ -30,20 +30,24 @@ enum class RepairKind {
 };
 inline constexpr int kRepairKindCount = static_cast<int>(RepairKind::Mirror) + 1;
 
-/// One step of a repair, as data: lists of them are kept, shown, and repeated from a recipe. Lengths are in the unit
-/// that the surface has when the step's turn comes.
+/// One step of a repair, as data: lists of them are kept, shown, and repeated from a recipe. A length without a unit of its own
+/// is in the one that the surface has when the step's turn comes.
 struct RepairStep {
   RepairKind kind = RepairKind::Weld;
   double amount = 0;
   int axis = 0;         ///< 0, 1, 2: x, y, z
   bool upper = false;   ///< KeepSide: the half of larger coordinates
+  double metresPerUnit = 0;  ///< of a length that was written with its unit; 0: without one
   bool operator==(const RepairStep&) const = default;
 };
 
 /// "weld", "dropDegenerate" … as recipes and the command line write them.
 const char* repairName(RepairKind kind);
 
-/// "weld", "weld=0.01", "keepSide=-x", "mirror=y": BadUsage (argument: what) for anything else.
+/// Whether its amount is a length.
+bool isLength(RepairKind kind);
+
+/// "weld", "weld=0.01", "thicken=1mm" (units as in LengthUnit.h), "keepSide=-x", "mirror=y": BadUsage (argument: what) for anything else.
 Result<RepairStep> repairStepFrom(std::string_view word);
 std::string toWord(const RepairStep& step);
 
@@ -63,8 +67,9 @@ struct RepairOutcome {
 
 /// Takes the steps one after the other. Pure: the same mesh and steps give the same answer. Fails with BadIndex or
 /// NotFinite for a mesh that cannot be read, with OutOfRange for an amount that makes no sense, and with BadMesh
-/// (argument: what) when a step would leave nothing.
-Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>& steps);
+/// (argument: what) when a step would leave nothing. Lengths with a unit need the surface's own, m (0: not known), else BadUsage;
+/// Scale leaves it as it is: what was a millimetre is one afterwards.
+Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>& steps, double metresPerUnit = 0);
 
 /// Three directions of the surface's own axes that become X, Y and Z: {"-y", "z", "-x"}. The frame of many atlases (Z up,
 /// Y backward, right = −X) becomes ours (X anterior, Y superior, Z lateral of a right shoulder) by exactly these.

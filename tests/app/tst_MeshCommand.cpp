@@ -55,6 +55,65 @@ TEST(MeshCommand, repairWritesASoundSurfaceInMetres) {
   EXPECT_NEAR(surface["low"][0].get<double>(), -0.012, 1e-9);
 }
 
+TEST(MeshCommand, theFormatIsTheEndings) {
+  const auto folder = freshFolder();
+  writeText(folder / "box.obj", openBox());
+  for (const auto& [name, format] : {std::pair{"a.stl", "STL"}, {"a.obj", "OBJ"}, {"a.ply", "PLY"}, {"A.STL", "STL"}}) {
+    const std::string out = (folder / name).string();
+    const Outcome done = glenoidProgram("mesh repair '" + (folder / "box.obj").string() + "' --out '" + out + "' --auto --unit cm");
+    EXPECT_EQ(done.status, 0) << name << done.err;
+    const Outcome info = glenoidProgram("mesh info --json '" + out + "'");  // STL and OBJ by another library than wrote them
+    ASSERT_EQ(info.status, 0) << name << info.err;
+    const auto file = nlohmann::json::parse(info.out)[0];
+    EXPECT_EQ(file["format"], format);
+    EXPECT_TRUE(file["surfaces"][0]["healthy"]) << name;
+    EXPECT_EQ(file["surfaces"][0]["triangles"], 12) << name;
+    EXPECT_NEAR(file["surfaces"][0]["volume"].get<double>(), 0.01 * 0.012 * 0.155, 1e-12) << name;
+  }
+  // In place too, and what was there stays where the name has no format of ours.
+  const std::string own = (folder / "a.stl").string();
+  EXPECT_EQ(glenoidProgram("mesh repair '" + own + "' --out '" + own + "' --unit m").status, 0);
+  EXPECT_NE(glenoidProgram("mesh info '" + own + "'").out.find("STL, 1 surface"), std::string::npos);
+  for (const char* name : {"a.vtp", "a", "a.stl.gz", ".stl"}) {
+    const Outcome done = glenoidProgram("mesh repair '" + own + "' --out '" + (folder / name).string() + "'");
+    EXPECT_EQ(done.status, 2) << name;
+    EXPECT_NE(done.err.find(".stl or .obj"), std::string::npos) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / name)) << name;
+  }
+}
+
+TEST(MeshCommand, lengthsMayHaveAUnit) {
+  const auto folder = freshFolder();
+  // A plate of 40 × 0.2 × 30 mm in a file without a unit.
+  writeText(folder / "plate.obj", "v 0 0 0\nv 40 0 0\nv 40 0.2 0\nv 0 0.2 0\nv 0 0 30\nv 40 0 30\nv 40 0.2 30\nv 0 0.2 30\n"
+                                  "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n");
+  const std::string in = "mesh repair '" + (folder / "plate.obj").string() + "' --out '";
+  const auto volume = [&](const char* name, const std::string& more) {
+    const std::string out = (folder / name).string();
+    const Outcome done = glenoidProgram(in + out + "'" + more);
+    EXPECT_LE(done.status, 1) << name << done.err;
+    const Outcome info = glenoidProgram("mesh info --json '" + out + "'");
+    return info.status == 0 ? nlohmann::json::parse(info.out)[0]["surfaces"][0]["volume"].get<double>() : -1.0;
+  };
+  const double plain = volume("plain.ply", " --steps thicken=1"), metres = volume("metres.ply", " --unit mm --steps thicken=0.001");
+  EXPECT_GT(plain, 2.5 * 40 * 0.2 * 30) << "in the file's unit";
+  EXPECT_NEAR(metres, 1e-9 * plain, 1e-12) << "in metres where the unit is named";
+  EXPECT_NEAR(volume("mm.ply", " --unit mm --steps thicken=1mm"), metres, 1e-15);
+  EXPECT_NEAR(volume("cm.ply", " --unit mm --steps thicken=0.1cm"), metres, 1e-15);
+  EXPECT_NEAR(volume("um.ply", " --unit mm --steps thicken=1000um"), metres, 1e-15);
+  const Outcome unknown = glenoidProgram(in + (folder / "o.ply").string() + "' --steps thicken=1mm");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("unit"), std::string::npos) << unknown.err;
+  EXPECT_FALSE(std::filesystem::exists(folder / "o.ply"));
+  // What info proposes says its unit and can be taken as it stands.
+  const Outcome info = glenoidProgram("mesh info '" + (folder / "plate.obj").string() + "'");
+  const std::size_t at = info.out.find("thicken=");
+  ASSERT_NE(at, std::string::npos) << info.out;
+  const std::string word = info.out.substr(at, info.out.find_first_of(" ,\n(", at) - at);
+  EXPECT_TRUE(word.ends_with("mm")) << word;
+  EXPECT_GT(volume("proposed.ply", " --unit mm --steps " + word), 2e-9 * 40 * 0.2 * 30);
+}
+
 TEST(MeshCommand, whatRemainsIsSaidByTheStatus) {
   const auto folder = freshFolder();
   writeText(folder / "box.obj", openBox());

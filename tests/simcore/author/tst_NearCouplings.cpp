@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "tests/simcore/author/OverlappingParts.h"
 
 namespace glenoid {
@@ -64,11 +66,42 @@ TEST(NearCouplings, whatCannotHoldIsRefusedByName) {
   joint.parts[0].visual = std::make_shared<const TriMesh>(shapes::moved(*joint.parts[0].visual, test::shiftedBy(1, 0, 0)));
   const auto far = addNearCoupling(joint, bandToBall(1e-3));
   ASSERT_FALSE(far.ok());
-  EXPECT_EQ(far.error().fault, Fault::TooFewSprings);
+  EXPECT_EQ(far.error().fault, Fault::NothingNear);
   EXPECT_EQ(far.error().place.part, "band-ball");
   NearCoupling wrong = bandToBall(1e-3);
   wrong.coupling.partB = "moon";
   EXPECT_EQ(addNearCoupling(joint, wrong).error().fault, Fault::UnknownId);
+}
+
+TEST(NearCouplings, allThatFindNothingAreNamedBeforeAnythingIsBuilt) {
+  JointRecipe recipe = test::overlappingParts();
+  PartRecipe& ball = recipe.parts[0].id == "ball" ? recipe.parts[0] : recipe.parts[1];
+  // 0.1 m along x: band and ball, which overlapped, lie apart by what their boxes say or more.
+  ball.visual = std::make_shared<const TriMesh>(shapes::moved(*ball.visual, test::shiftedBy(0.1, 0, 0)));
+  NearCoupling other = bandToBall(2e-3), empty = bandToBall(2e-3), wide = bandToBall(0.2);
+  other.coupling.id = "second";
+  empty.coupling.id = "third";
+  empty.centre_W = Vec3(5, 5, 5);
+  empty.radius = 0.01;
+  wide.coupling.id = "fourth";
+  recipe.nearCouplings = {bandToBall(1e-3), other, empty, wide};
+  int pieces = 0;
+  const auto joint = buildJoint(recipe, [&](const std::string&, double) { return ++pieces > 0; });
+  ASSERT_FALSE(joint.ok());
+  EXPECT_EQ(pieces, 0);
+  EXPECT_EQ(joint.error().fault, Fault::NothingNear);
+  const std::string& words = joint.error().arguments.at(0);
+  for (const char* part : {"“band-ball” of band to ball (nearest ", "within 1 mm)", "“second”", "within 2 mm)", "“third” of band to ball (nothing of band lies in its ball)"})
+    EXPECT_NE(words.find(part), std::string::npos) << part << " in " << words;
+  EXPECT_EQ(words.find("fourth"), std::string::npos) << words;
+  // The distance that is named is right: with a little more there is something, with a little less there is not.
+  double nearest = 0;
+  ASSERT_EQ(std::sscanf(words.c_str() + words.find("nearest ") + 8, "%lf", &nearest), 1);
+  EXPECT_GT(nearest, 20);
+  recipe.nearCouplings = {bandToBall(1.01e-3 * nearest)};
+  EXPECT_TRUE(checkNearCouplings(recipe.parts, recipe.nearCouplings).ok());
+  recipe.nearCouplings = {bandToBall(0.99e-3 * nearest)};
+  EXPECT_EQ(checkNearCouplings(recipe.parts, recipe.nearCouplings).error().fault, Fault::NothingNear);
 }
 
 }  // namespace

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kRadius = 3e-3, kSide = 0.04, kModulus = 1e5;
 
-/// A cube glued to the ground by its lower face, in a few coarse cells.
-Joint gluedBlock(double poisson = 0.4) {
+/// A cube, or less high, glued to the ground by its lower face, in a few coarse cells.
+Joint gluedBlock(double poisson = 0.4, double height = kSide) {
   Joint joint;
   joint.id = "block";
   scenes::addMaterials(joint);
   for (Material& material : joint.materials)
     if (material.id == "tissue") material.youngsModulus = kModulus, material.poissonRatio = poisson;
-  const Vec3 low(-kSide / 2, -kSide, -kSide / 2), high(kSide / 2, 0, kSide / 2);
+  const Vec3 low(-kSide / 2, -height, -kSide / 2), high(kSide / 2, 0, kSide / 2);
   joint.parts = {scenes::boxPart("ground", 1, PartKind::Rigid, low - Vec3(0, kSide, 0), Vec3(high.x(), low.y(), high.z())),
                  scenes::boxPart("block", 2, PartKind::Soft, low, high)};
   Part& block = joint.parts[1];
@@ -105,6 +105,24 @@ TEST(MakeDents, aTableHoldsWhatTheFineSolveGivesMoreAndIsTheSameAgain) {
   }
   joint.materials[1].youngsModulus *= 2;
   EXPECT_NE(table.basis, dentBasis(joint, joint.parts[1]));
+}
+
+TEST(MakeDents, tissueThinnerThanTheFineCellsHasNone) {
+  for (const double height : {0.1e-3, 0.2e-3, 0.3e-3, 0.45e-3, 1e-3}) {
+    Joint joint = gluedBlock(0.4, height);
+    const auto made = makeDents(joint, {1.5e-3, 4, ""});
+    ASSERT_TRUE(made.ok()) << height << " " << toLogLine(made.error());
+    ASSERT_EQ(made->size(), 1u);
+    EXPECT_EQ((*made)[0].part, 1);
+    EXPECT_EQ((*made)[0].count, 4);
+    ASSERT_TRUE(joint.parts[1].dents) << height;
+    if (height < 0.25e-3) EXPECT_EQ((*made)[0].tooThin, 4) << height;
+    if (height >= 1e-3) EXPECT_EQ((*made)[0].tooThin, 0) << height;
+    for (const DentSample& sample : joint.parts[1].dents->samples) {
+      if (const double y = sample.at_W.y(); y > -1e-9 || y < -height + 1e-9) EXPECT_LE(sample.depthMost, 0.41 * height) << "from above, not at the rim";
+      if ((*made)[0].tooThin == 4) EXPECT_EQ(sample.compliance, 0);
+    }
+  }
 }
 
 TEST(MakeDents, aCancelLeavesTheJointAsItWas) {

@@ -217,12 +217,14 @@ TEST(Repair, axesAndUnitsPlaceASurface) {
 TEST(Repair, stepsAreWords) {
   for (const char* word : {"weld", "weld=0.001", "dropDegenerate", "dropDuplicates", "splitNonManifold", "orient", "outwards", "fillHoles", "fillHoles=0.05",
                            "keepLargest", "dropSmall=0.02", "dropSheets", "keepSide=-x", "keepSide=+z", "removeSelfIntersections", "thicken=0.002",
-                           "scale=0.0254", "mirror=y"}) {
+                           "scale=0.0254", "mirror=y", "thicken=1mm", "weld=0.05mm", "fillHoles=2cm", "weld=10um", "thicken=0.1inch",
+                           "fillHoles=0.5m", "fillHoles=0.5ft"}) {
     const auto step = repairStepFrom(word);
     ASSERT_TRUE(step.ok()) << word;
     EXPECT_EQ(toWord(*step), word);
   }
-  for (const char* word : {"", "wield", "weld=", "weld=-1", "weld=nan", "thicken", "orient=1", "keepSide=x", "mirror=-x", "mirror"}) {
+  for (const char* word : {"", "wield", "weld=", "weld=-1", "weld=nan", "thicken", "orient=1", "keepSide=x", "mirror=-x", "mirror", "thicken=mm", "thicken=1mil",
+                           "thicken=1 mm", "thicken=-1mm", "dropSmall=0.1mm", "scale=2mm", "weld=1mmm"}) {
     const auto step = repairStepFrom(word);
     ASSERT_FALSE(step.ok()) << word;
     EXPECT_EQ(step.error().fault, Fault::BadUsage) << word;
