@@ -2809,6 +2809,14 @@
         <translation>«%1» fue estirado a %2 veces su longitud hasta el paso %3 (%4 s), donde cualquier tejido se rompe: sus cargas son demasiado grandes o su material demasiado blando.</translation>
     </message>
     <message>
+        <source>The run took longer than %1 s and was stopped at step %2 (%3 s).</source>
+        <translation>La simulación duró más de %1 s y se detuvo en el paso %2 (%3 s).</translation>
+    </message>
+    <message>
+        <source>The run took longer than %1 s and was stopped at step %2 (%3 s) with %4 contacts, most of them between “%5” and “%6”.</source>
+        <translation>La simulación duró más de %1 s y se detuvo en el paso %2 (%3 s) con %4 contactos, la mayoría entre «%5» y «%6».</translation>
+    </message>
+    <message>
         <source>The mark “%1” (%2) was missed: nothing pressed with 1 N while it lasted, at steps of %3 ms.</source>
         <translation>La marca «%1» (%2) se perdió: nada apretó con 1 N mientras duró, con pasos de %3 ms.</translation>
     </message>

@@ -131,4 +131,14 @@ Result<double> lengthNamed(const std::string& option, const std::string& word) {
   return unit == "mm" ? 1e-3 * value : value;
 }
 
+Result<double> durationNamed(const std::string& option, const std::string& word) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const std::string unit(end, word.data() + word.size());
+  const double seconds = unit.empty() || unit == "s" ? 1 : unit == "ms" ? 1e-3 : unit == "min" ? 60 : unit == "h" ? 3600 : 0;
+  if (fault != std::errc() || !(value * seconds > 0) || !std::isfinite(value * seconds))
+    return usageError(option + " wants a time above zero, such as 600s, 10min or 2h, not “" + word + "”");
+  return value * seconds;
+}
+
 }  // namespace glenoid

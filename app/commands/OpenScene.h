@@ -46,4 +46,7 @@ Result<Done> applyPaper(const std::string& list, PaperSettings& settings);
 /// A length, m: "0.001", "0.001m" or "1mm"; "none" is infinite. Fails with BadUsage naming the option.
 Result<double> lengthNamed(const std::string& option, const std::string& word);
 
+/// "600s", "600", "10min", "2h" in seconds, > 0. Fails with BadUsage.
+Result<double> durationNamed(const std::string& option, const std::string& word);
+
 }  // namespace glenoid

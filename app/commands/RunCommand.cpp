@@ -21,7 +21,7 @@ namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, effects, paper, failDepth, record, report, render, state, vtu, trace, traceParts, tracePairs;
+  std::string scenario, profile, input, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trace, traceParts, tracePairs;
   double seconds = 0, dt = 0;
   long steps = 0;
   int threads = 1, every = 1;
@@ -97,6 +97,12 @@ Result<Done> run(const Wishes& wishes) {
   if (const auto good = checkColours(wishes.picture); !good) return good;
   if (!wishes.picture.colour.empty() && wishes.render.empty()) return usageError("--colour is for the picture that --render writes, and goes with it only");
   if (const auto good = checkOutputs(wishes); !good) return good;
+  RunOptions options;
+  if (!wishes.timeLimit.empty()) {
+    const Result<double> limit = durationNamed("--time-limit", wishes.timeLimit);
+    if (!limit) return limit.error();
+    options.timeLimit = *limit;
+  }
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
   if (const auto set = applyWishes(wishes, scene->scenario); !set) return set.error();
@@ -118,7 +124,6 @@ Result<Done> run(const Wishes& wishes) {
   if (!wishes.vtu.empty())
     if (const auto tissue = tissueVtu(**model, (*model)->start); !tissue) return tissue.error();
 
-  RunOptions options;
   options.steps = wishes.steps;
   options.seconds = wishes.seconds;
   if (options.steps == 0 && options.seconds == 0) options.seconds = *input ? inputSeconds(**input) : 0;
@@ -160,10 +165,10 @@ Result<Done> run(const Wishes& wishes) {
   }
   std::fputs(summaryOf(result->report).c_str(), stdout);
   for (const Notice& notice : result->report.notices)
-    if (notice.kind == NoticeKind::TooDeep) {
+    if (notice.kind == NoticeKind::TooDeep || notice.kind == NoticeKind::TimeUp) {
       QString sentence = sentenceOf(notice);
       sentence.chop(1);  // the error's own sentence ends it
-      return Error{Fault::CheckFailed, {}, {sentence.toStdString()}, "run --fail-depth"};
+      return Error{Fault::CheckFailed, {}, {sentence.toStdString()}, "run --fail-depth or --time-limit"};
     }
   return Done{};
 }
@@ -190,6 +195,8 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--fail-depth", wishes->failDepth,
                       "Exit status 1 where two objects lie deeper in each other, such as 0.5mm; none: never; without it a third of "
                       "the thickness of the thinner one");
+  command->add_option("--time-limit", wishes->timeLimit,
+                      "Stop with status 1 where the run takes longer by the clock, such as 600s or 10min, with the report up to there");
   command->add_option("--threads", wishes->threads, "Threads of the step; the result is the same")->check(CLI::Range(1, 64));
   command->add_option("--record", wishes->record, "Write a .recording that “glenoid replay --check” can repeat");
   command->add_option("--report", wishes->report, "Write the report as JSON");

@@ -83,6 +83,11 @@ QString NoticeSentences::of(const Notice& n, const NameOf& nameOf) {
       return tr("The steps are too long for the recording: the hand of “%1” passes its path at %2 s by %3 mm, and contact begins at "
                 "%4 mm.")
           .arg(name(n.subject), time, millimetres(n.figure), millimetres(n.limit));
+    case NoticeKind::TimeUp:
+      if (n.subject.empty())
+        return tr("The run took longer than %1 s and was stopped at step %2 (%3 s).").arg(number(n.limit), QString::number(n.step), time);
+      return tr("The run took longer than %1 s and was stopped at step %2 (%3 s) with %4 contacts, most of them between “%5” and “%6”.")
+          .arg(number(n.limit), QString::number(n.step), time, number(n.figure, 9), name(n.subject), name(n.other));
   }
   return {};
 }

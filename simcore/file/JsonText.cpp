@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "simcore/base/Utf8.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr std::size_t kLineMax = 100;
 
-void writeText(const std::string& text, std::string& out) {
+void writeText(const std::string& bytes, std::string& out) {
+  const std::string text = asUtf8(bytes);  // a path may be anything, a JSON text may not
   out += '"';
   for (const char c : text) {
     switch (c) {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/file/Ply.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/PlyHeader.h"
+#include "simcore/mesh/PolygonSplit.h"
 
 namespace glenoid {
 namespace {
@@ -95,6 +97,7 @@ class PlyBody {
         if (!row) return row;
       }
     }
+    cutConcave(mesh);
     return Done{};
   }
 
@@ -191,6 +194,7 @@ class PlyBody {
     std::size_t count = 0;
     if (const Read read = takeCount(property, count); read != Read::Good) return failRead(read);
     if (count < 3) return fail(Fault::BadMesh, {"a face of fewer than three corners"});
+    std::vector<int> corners;
     int first = 0, before = 0;
     for (std::size_t corner = 0; corner < count; ++corner) {
       double value = 0;
@@ -198,11 +202,15 @@ class PlyBody {
       if (!(value >= 0) || value >= static_cast<double>(vertexCount()) || value != std::floor(value))
         return fail(Fault::BadIndex, {indexText(value), std::to_string(vertexCount())});
       const int index = static_cast<int>(value);
+      if (count > 3) corners.push_back(index);
       if (corner == 0) first = index;
       if (corner >= 2) mesh.triangles.push_back({first, before, index});
       before = index;
     }
-    if (count > 3) ++notes.polygonsSplit;
+    if (count > 3) {
+      ++notes.polygonsSplit;
+      m_polygons.push_back({mesh.triangles.size() - (count - 2), std::move(corners)});
+    }
     return Done{};
   }
 
@@ -219,6 +227,32 @@ class PlyBody {
                : std::to_string(value);
   }
 
+  /// Faces may stand before their points, so polygons are looked at when all is read: where the fan from the first corner folds
+  /// over, they are cut again.
+  void cutConcave(TriMesh& mesh) const {
+    std::vector<std::array<int, 3>> pieces;
+    for (const Polygon& polygon : m_polygons) {
+      const auto facing = [&](std::size_t t) {
+        const auto& c = mesh.triangles[t];
+        return Vec3((mesh.vertices[c[1]] - mesh.vertices[c[0]]).cross(mesh.vertices[c[2]] - mesh.vertices[c[0]]));
+      };
+      const std::size_t end = polygon.first + polygon.corners.size() - 2;
+      Vec3 mean = Vec3::Zero();  // Newell's normal is the sum of any fan's
+      for (std::size_t t = polygon.first; t < end; ++t) mean += facing(t);
+      bool folds = false;
+      for (std::size_t t = polygon.first; t < end && !folds; ++t) folds = facing(t).dot(mean) < 0;
+      if (!folds) continue;
+      pieces.clear();
+      splitPolygon(mesh.vertices, polygon.corners, pieces);
+      std::copy(pieces.begin(), pieces.end(), mesh.triangles.begin() + static_cast<std::ptrdiff_t>(polygon.first));
+    }
+  }
+
+  struct Polygon {
+    std::size_t first;  ///< of its triangles
+    std::vector<int> corners;
+  };
+  std::vector<Polygon> m_polygons;
   ByteReader& m_bytes;
   const PlyHeader& m_header;
   NumberReader m_numbers;

@@ -14,7 +14,7 @@ namespace glenoid {
 
 /// What a reader should know about what was read.
 struct PlyNotes {
-  long polygonsSplit = 0;  ///< faces of more than three corners, cut into a fan at their first corner
+  long polygonsSplit = 0;  ///< faces of more than three corners, cut into a fan at their first corner, concave ones where they can be
 };
 
 /// Fails as readWholeFile does and with UnknownFormat (no PLY), BadMesh (a header or row that makes no sense; a face

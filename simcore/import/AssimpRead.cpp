@@ -8,6 +8,7 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -33,12 +34,27 @@ const char* endingFor(MeshFormat format) {
   }
 }
 
+/// Percent-encoded bytes of a URI as they are.
+std::string decoded(const std::string& uri) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; };
+  std::string out;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const int high = uri[i] == '%' && i + 2 < uri.size() ? digit(uri[i + 1]) : -1, low = high >= 0 ? digit(uri[i + 2]) : -1;
+    if (low >= 0 && high + low > 0) out += static_cast<char>(16 * high + low), i += 2;
+    else out += uri[i];
+  }
+  return out;
+}
+
 /// Lets assimp see the main file, under a name with the right ending, and regular files beside and below it.
 class FolderFiles : public Assimp::DefaultIOSystem {
  public:
-  FolderFiles(fs::path file, std::string shownAs) : m_file(std::move(file)), m_folder(m_file.parent_path()), m_shownAs(std::move(shownAs)) {}
+  FolderFiles(fs::path file, std::string shownAs, std::string_view instead)
+      : m_file(std::move(file)), m_folder(m_file.parent_path()), m_shownAs(std::move(shownAs)), m_instead(instead) {}
   bool Exists(const char* name) const override { return !allowed(name).empty(); }
   Assimp::IOStream* Open(const char* name, const char*) override {
+    if (!m_instead.empty() && name == m_shownAs)
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(m_instead.data()), m_instead.size());  // the importer deletes it
     const std::string path = allowed(name);
     return path.empty() ? nullptr : Assimp::DefaultIOSystem::Open(path.c_str(), "rb");
   }
@@ -47,13 +63,15 @@ class FolderFiles : public Assimp::DefaultIOSystem {
   std::string allowed(const char* name) const {
     if (name == m_shownAs) return m_file.string();
     std::error_code failed;
-    const fs::path whole = fs::weakly_canonical(name, failed);
+    fs::path whole = fs::weakly_canonical(name, failed);
+    if (!failed && !fs::is_regular_file(whole, failed)) whole = fs::weakly_canonical(decoded(name), failed);  // glTF: a URI
     if (failed || !fs::is_regular_file(whole, failed)) return {};
     const fs::path inside = whole.lexically_relative(m_folder);
     return inside.empty() || *inside.begin() == ".." ? std::string() : whole.string();
   }
   fs::path m_file, m_folder;
   std::string m_shownAs;
+  std::string_view m_instead;
 };
 
 bool handles(const aiImporterDesc* description, const std::string& ending) {
@@ -197,9 +215,24 @@ std::optional<double> fbxUnit(const aiScene& scene) {
   return centimetres > 0 && std::isfinite(centimetres) ? std::optional(0.01 * centimetres) : std::nullopt;
 }
 
+/// The reader's own words, on one line, with the file's own name and in a length that a sentence bears.
+std::string reasonIn(std::string said, const std::string& shownAs, const std::string& name) {
+  for (const std::string& shown : {shownAs, fs::path(shownAs).filename().string()})
+    for (std::size_t at = said.find(shown); at != std::string::npos; at = said.find(shown, at + name.size())) said.replace(at, shown.size(), name);
+  std::string reason;
+  for (const char c : said)
+    if (static_cast<unsigned char>(c) >= ' ') reason += c;
+    else if (!reason.empty() && reason.back() != ' ') reason += ' ';
+  while (!reason.empty() && (reason.back() == ' ' || reason.back() == '.')) reason.pop_back();
+  if (reason.size() <= 200) return reason;
+  std::size_t end = 200;
+  while (end > 0 && (static_cast<unsigned char>(reason[end]) & 0xc0) == 0x80) --end;  // no half of a letter
+  return reason.substr(0, end) + "…";
+}
+
 }  // namespace
 
-Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, long long triangles) {
+Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, long long triangles, std::string_view instead) {
   std::error_code failed;
   const fs::path file = fs::canonical(path, failed);
   if (failed) return Error{Fault::FileMissing, {path, {}, {}, {}}, {}, failed.message()};
@@ -207,7 +240,7 @@ Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, 
   const std::string shownAs = (file.parent_path() / ("surface-to-import." + ending)).string();
   Assimp::Importer importer;
   keepLoaders(importer, ending);
-  importer.SetIOHandler(new FolderFiles(file, shownAs));  // the importer deletes it
+  importer.SetIOHandler(new FolderFiles(file, shownAs, instead));  // the importer deletes it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
@@ -215,7 +248,8 @@ Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, 
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
   const auto refused = [&] {
-    return Error{Fault::BadMesh, {path, {}, {}, {}}, {std::string("the ") + formatName(format) + " reader refused it"}, importer.GetErrorString()};
+    const std::string said = importer.GetErrorString(), reason = reasonIn(said, shownAs, file.filename().string());
+    return Error{Fault::BadMesh, {path, {}, {}, {}}, {std::string("the ") + formatName(format) + " reader refused it" + (reason.empty() ? "" : ": " + reason)}, said};
   };
   const aiScene* scene = importer.ReadFile(shownAs, 0);
   if (!scene || !scene->mRootNode) return refused();

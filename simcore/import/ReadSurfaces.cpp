@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/import/ReadSurfaces.h"
 
+#include "simcore/base/Utf8.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/AssimpRead.h"
 #include "simcore/import/MeshFormat.h"
+#include "simcore/import/TextSurfaces.h"
 #include "simcore/import/VtkSurface.h"
 
 namespace glenoid {
@@ -22,21 +24,41 @@ Result<ImportedFile> parsePlySurface(std::string_view bytes, const std::string& 
   return file;
 }
 
-}  // namespace
+Result<ImportedFile> readNamed(const std::string& path, MeshFormat format, long long triangles, const TextSurfaces& text) {
+  Result<ImportedFile> file = readWithAssimp(path, format, triangles, text.bytes);
+  if (file) nameSurfaces(text, format == MeshFormat::Obj, file->surfaces);
+  return file;
+}
 
-Result<ImportedFile> readSurfaces(const std::string& path, long long triangles) {
+Result<ImportedFile> readAsItIs(const std::string& path, long long triangles) {
   const Error unknown{Fault::UnknownFormat, {path, {}, {}, {}}, {}, "import"};
   auto format = formatByEnding(path);
   if (!format) return unknown;
   const Result<std::string> bytes = readWholeFile(path);
   if (!bytes) return bytes.error();
+  if (const std::string instead = notTheFile(*bytes); !instead.empty()) return Error{Fault::BadMesh, {path, {}, {}, {}}, {instead}, "import"};
   if (const auto seen = formatByContent(*bytes)) format = seen;  // the bytes know better than the name
   switch (*format) {
     case MeshFormat::Ply: return parsePlySurface(*bytes, path);
     case MeshFormat::Vtp: return parseVtp(*bytes, path);
     case MeshFormat::VtkLegacy: return parseVtkSurface(*bytes, path);
+    case MeshFormat::Stl: {
+      const Result<TextSurfaces> text = stlForReader(*bytes, path);
+      if (!text) return text.error();
+      return readNamed(path, *format, triangles, *text);
+    }
+    case MeshFormat::Obj: return readNamed(path, *format, triangles, objForReader(*bytes));
     default: return readWithAssimp(path, *format, triangles);
   }
+}
+
+}  // namespace
+
+Result<ImportedFile> readSurfaces(const std::string& path, long long triangles) {
+  Result<ImportedFile> file = readAsItIs(path, triangles);
+  if (file)
+    for (ImportedSurface& surface : file->surfaces) surface.name = asUtf8(surface.name);
+  return file;
 }
 
 }  // namespace glenoid

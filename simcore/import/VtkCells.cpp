@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/import/PolygonSplit.h"
+#include "simcore/mesh/PolygonSplit.h"
 #include "simcore/import/VtkSurface.h"
 
 namespace glenoid {

@@ -73,12 +73,12 @@ class LegacyFile {
       }
       if (word == "points" && !points) points = good = readPoints();
       else if (word == "metadata") good = skipMetadata();
+      else if (word == "field") good = skipField();
       else if (!points) return wrong("unexpected word \"" + word.substr(0, 40) + "\"");
       else if (word == "polygons") good = readCells(Cells::Polygons);
       else if (word == "triangle_strips") good = readCells(Cells::Strips);
       else if (word == "lines") good = readCells(Cells::Lines);
       else if (word == "vertices") good = readCells(Cells::Vertices);
-      else if (word == "field") return m_cells.note(ImportNote::DataDropped, 1), true;
       else return wrong("unexpected word \"" + word.substr(0, 40) + "\"");
       if (!good) return false;
     }
@@ -91,11 +91,69 @@ class LegacyFile {
     return true;
   }
 
+  /// Arrays of values that belong to the whole, with their metadata; VTK writes them before the points.
+  bool skipField() {
+    m_bytes.takeWord();  // name
+    std::size_t arrays = 0;
+    if (!takeCount(1, arrays)) return false;
+    m_cells.note(ImportNote::DataDropped, arrays > 0);
+    for (std::size_t i = 0; i < arrays;) {
+      if (lower(m_bytes.takeWord()) == "metadata") {  // of the array before
+        skipMetadata();
+        continue;
+      }
+      std::size_t components = 0, tuples = 0;
+      if (!takeCount(0, components) || !takeCount(0, tuples)) return false;
+      const std::string type = lower(m_bytes.takeWord());
+      if (!endHeaderLine() || !skipValues(type, components, tuples)) return false;
+      ++i;
+    }
+    return true;
+  }
+
+  bool skipValues(const std::string& type, std::size_t components, std::size_t tuples) {
+    if (components > 0 && tuples > std::numeric_limits<std::size_t>::max() / 8 / components) return fail(Fault::FileTruncated);
+    const std::size_t count = components * tuples;
+    if (type == "string") return skipStrings(count);
+    if (m_ascii) {
+      for (std::size_t i = 0; i < count; ++i)
+        if (m_bytes.takeWord().empty()) return fail(Fault::FileTruncated);
+      return true;
+    }
+    const std::size_t each = type.ends_with("char")                                                                      ? 1
+                             : type.ends_with("short")                                                                   ? 2
+                             : type == "int" || type == "unsigned_int" || type == "float" || type == "vtkidtype"         ? 4
+                             : type.ends_with("long") || type.ends_with("int64") || type == "double"                     ? 8
+                                                                                                                         : 0;
+    if (each == 0 && type != "bit") return wrong("values of the unknown type \"" + type.substr(0, 40) + "\"");
+    return m_bytes.skip(type == "bit" ? (count + 7) / 8 : count * each) ? true : fail(Fault::FileTruncated);
+  }
+
+  /// ascii: one a line. Binary: the two upper bits of the first byte say of how many bytes its length is (3, 2, 1, 0: 1, 2, 4, 8).
+  bool skipStrings(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (m_ascii) {
+        if (!m_bytes.takeLine()) return fail(Fault::FileTruncated);
+        continue;
+      }
+      const auto first = m_bytes.take<std::uint8_t>(std::endian::big);
+      if (!first) return fail(Fault::FileTruncated);
+      std::uint64_t length = *first & 63u;
+      for (int more = (1 << (3 - (*first >> 6))) - 1; more > 0; --more) {
+        const auto byte = m_bytes.take<std::uint8_t>(std::endian::big);
+        if (!byte) return fail(Fault::FileTruncated);
+        length = length << 8 | *byte;
+      }
+      if (length > m_bytes.left() || !m_bytes.skip(static_cast<std::size_t>(length))) return fail(Fault::FileTruncated);
+    }
+    return true;
+  }
+
   /// A count from a header line, believed only where the rest of the file could hold so many.
   bool takeCount(std::size_t bytesEach, std::size_t& count) {
     const auto value = integerIn(m_bytes.takeWord());
     if (!value || *value < 0) return wrong("a count that is none");
-    if (static_cast<unsigned long long>(*value) > m_bytes.left() / (m_ascii ? 1 : bytesEach)) return fail(Fault::FileTruncated);
+    if (bytesEach > 0 && static_cast<unsigned long long>(*value) > m_bytes.left() / (m_ascii ? 1 : bytesEach)) return fail(Fault::FileTruncated);
     if (*value > std::numeric_limits<int>::max()) return fail(Fault::BadMesh, {"more rows than an index can count"});
     count = static_cast<std::size_t>(*value);
     return true;

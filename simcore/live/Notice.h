@@ -18,8 +18,10 @@ enum class NoticeKind {
   MarkMissed,     ///< subject: a mark; other: its tool and part, as far as it names them; figure: Δt, s
   PathCut,        ///< subject: a tool; figure: how far the path of its hand in steps of Δt lies from the recorded one, limit: what counts
                   ///< as contact, m
+  TimeUp,         ///< the run was stopped; subject, other: the two objects with most contacts, if any; figure: rows of all contacts,
+                  ///< limit: what the run was given, s of the clock
 };
-inline constexpr int kNoticeKindCount = static_cast<int>(NoticeKind::PathCut) + 1;
+inline constexpr int kNoticeKindCount = static_cast<int>(NoticeKind::TimeUp) + 1;
 
 /// English word of a kind, for reports and tests: "unused-setting", …
 const char* noticeName(NoticeKind kind);

@@ -2,7 +2,9 @@
 #include "simcore/live/Run.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <map>
 
 #include "simcore/live/BuildId.h"
 #include "simcore/live/Pacer.h"
@@ -32,6 +34,19 @@ Result<Done> checkInput(const Scenario& scenario, const Recording& input) {
       return Error{Fault::Unusable, {"", "/tracks", track.tool, {}}, {"a track without keys"}, "recording's track"};
   }
   return Done{};
+}
+
+/// Where a run stood when its time was up: the pair with most contacts, and how many there were of all pairs.
+Notice timeUp(const Model& model, const StepReport& step, const State& state, double limit) {
+  std::map<std::pair<int, int>, int> rows;
+  for (const ContactView& contact : step.contactViews) ++rows[std::minmax(contact.objectA, contact.objectB)];
+  const auto most = std::max_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  Notice notice{NoticeKind::TimeUp, "", "", static_cast<double>(step.contacts), limit, state.time, state.step, {}};
+  if (most != rows.end()) {
+    notice.subject = model.objects[static_cast<std::size_t>(most->first.first)].id;
+    notice.other = model.objects[static_cast<std::size_t>(most->first.second)].id;
+  }
+  return notice;
 }
 
 Recording recordingOf(const Model& model, const RunOptions& options, const RunReport& report) {
@@ -95,7 +110,9 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
 
   RunReport& report = result.report;
   Inputs inputs;
-  for (long s = 0; s < *steps; ++s) {
+  const auto begun = std::chrono::steady_clock::now();
+  std::optional<Notice> stopped;
+  for (long s = 0; s < *steps && !stopped; ++s) {
     if (pacer) pacer->waitForStep();
     const double time = state.time;
     // The hand's pose at the step's end is what the implicit step pulls towards.
@@ -106,7 +123,9 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     if (watch) watch->look(state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
     if (options.observe) options.observe(step, state, collision ? collision->lastLook() : std::span<const Penetration>());
-    if (s + 1 == *steps) {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+    if (options.timeLimit > 0 && taken.count() > options.timeLimit && s + 1 < *steps) stopped = timeUp(*model, step, state, options.timeLimit);
+    if (stopped || s + 1 == *steps) {
       result.contacts = step.contactViews;
       result.dents = step.dents;
     }
@@ -147,6 +166,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   report.notices = noticesBefore(*model, options.input, report.seconds);
   for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);
   if (watch) report.notices.insert(report.notices.end(), watch->notices().begin(), watch->notices().end());
+  if (stopped) report.notices.push_back(*stopped);
   if (collision)
     for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);
   if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);

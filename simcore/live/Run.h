@@ -21,6 +21,7 @@ struct RunOptions {
   StepperOptions stepper;
   const Recording* input = nullptr; ///< hands over time; null: they stay at home
   bool record = false;              ///< answer a recording that `replay --check` can repeat
+  double timeLimit = 0;             ///< s of the clock: a run that takes longer ends after the step at hand, with a notice TimeUp; 0: none
   bool realtime = false;            ///< wait for the clock; a late run catches up by a few steps, then slows down
   bool checks = true;               ///< penetration on collision and visual surfaces, outside the step's time
   std::optional<double> failDepth;  ///< m: deeper is a notice TooDeep; infinite: never; nothing: PenetrationProbe's own limits

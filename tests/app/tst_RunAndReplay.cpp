@@ -51,6 +51,29 @@ TEST(RunCommand, theReportHoldsWhatItPromises) {
   EXPECT_LE(step["p999"], step["max"]);
 }
 
+TEST(RunCommand, aTimeLimitStopsItWithTheReport) {
+  const auto folder = freshFolder();
+  const std::string run = "run builtin:arthroscopy --seconds 600 --report '" + (folder / "report.json").string() + "' --time-limit ";
+  const Outcome stopped = glenoidProgram(run + "0.5s");
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_NE(stopped.err.find("took longer than 0.5 s"), std::string::npos) << stopped.err;
+  const auto document = readDocument((folder / "report.json").string(), Schema::RunReport);
+  EXPECT_TRUE(document.ok()) << (document ? "" : toLogLine(document.error()));
+  const Json report = Json::parse(readText(folder / "report.json"));
+  EXPECT_GT(report["steps"], 0);
+  EXPECT_LT(report["steps"], 120000);
+  EXPECT_TRUE(report["finite"]);
+  bool said = false;
+  for (const Json& notice : report["notices"]) said = said || notice["kind"] == "time-up";
+  EXPECT_TRUE(said);
+  for (const char* wrong : {"0", "-1s", "soon", "5 apples", "1e400", "nan", "inf"}) {
+    const Outcome refused = glenoidProgram(run + "'" + wrong + "'");
+    EXPECT_EQ(refused.status, 2) << wrong;
+    EXPECT_EQ(lineCount(refused.err), 1) << refused.err;
+  }
+  EXPECT_EQ(glenoidProgram("run builtin:arthroscopy --steps 3 --time-limit 2min").status, 0);
+}
+
 TEST(RunCommand, sameInputGivesSameBitsForAnyNumberOfThreads) {
   const auto folder = freshFolder();
   const std::string first = reportOf("--steps 60", folder)["stateHash"];

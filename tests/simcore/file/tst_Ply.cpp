@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "simcore/file/ByteReader.h"
@@ -72,6 +73,40 @@ TEST(Ply, polygonsBecomeFansAndAreCounted) {
   ASSERT_TRUE(mesh.ok());
   EXPECT_EQ(mesh->triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}}));
   EXPECT_EQ(notes.polygonsSplit, 1);
+}
+
+TEST(Ply, concavePolygonsKeepTheirArea) {
+  const auto areaOf = [](const TriMesh& mesh, bool& folds) {
+    double area = 0;
+    folds = false;
+    for (const auto& t : mesh.triangles) {
+      const double z = (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).z() / 2;
+      folds = folds || z < 0;
+      area += std::abs(z);
+    }
+    return area;
+  };
+  // A star of five points of radius 2 and 0.8, from each of its corners as the first: area 5 · 2 · 0.8 · sin 36°.
+  std::string points;
+  for (int i = 0; i < 10; ++i) {
+    const double radius = i % 2 ? 0.8 : 2, angle = i * 0.6283185307179586;
+    points += std::to_string(radius * std::cos(angle)) + " " + std::to_string(radius * std::sin(angle)) + " 0\n";
+  }
+  for (int first = 0; first < 10; ++first) {
+    std::string face = "10";
+    for (int i = 0; i < 10; ++i) face += " " + std::to_string((first + i) % 10);
+    bool folds = true;
+    PlyNotes notes;
+    const auto star = parsePly(ascii(points, face + "\n3 0 1 2\n", 10, 2), "m.ply", &notes);
+    ASSERT_TRUE(star.ok());
+    EXPECT_EQ(star->triangles.size(), 9u);
+    EXPECT_EQ(star->triangles.back(), (std::array<int, 3>{0, 1, 2})) << "faces keep their order";
+    TriMesh whole = *star;
+    whole.triangles.pop_back();
+    EXPECT_NEAR(areaOf(whole, folds), 5 * 2 * 0.8 * std::sin(0.6283185307179586), 1e-4) << first;
+    EXPECT_FALSE(folds) << first;
+    EXPECT_EQ(notes.polygonsSplit, 1);
+  }
 }
 
 TEST(Ply, faultsNameTheElement) {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cctype>
+#include <functional>
+
 #include "simcore/import/MeshFormat.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "tests/simcore/file/TemporaryFolder.h"
@@ -73,6 +76,90 @@ TEST(ImportSurfaces, severalNodesAreSeveralSurfaces) {
   EXPECT_EQ(file->surfaces[1].mesh.triangles.size(), 1u);
 }
 
+/// Text of an STL with its keywords changed by `write`.
+std::string rewritten(const std::string& text, const std::function<char(char)>& write) {
+  std::string out = text;
+  for (char& c : out) c = write(c);
+  return out;
+}
+
+TEST(ImportSurfaces, stlAsOthersWriteIt) {
+  const TemporaryFolder folder;
+  const std::string text = samples::stlText(), binary = samples::stlBinary();
+  const auto upper = [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); };
+  std::string solid = binary;
+  solid.replace(0, 11, "solid facet");  // exporters write so into the header of a binary file
+  std::string carriage;
+  for (const char c : text) carriage += c == '\n' ? '\r' : c;
+  for (const auto& [name, bytes] : std::vector<std::pair<std::string, std::string>>{
+           {"capitals.stl", rewritten(text, upper)}, {"blank-first.stl", "\n \n\t\n" + text}, {"mark.stl", "\xef\xbb\xbf" + text},
+           {"carriage.stl", carriage}, {"after-text.stl", text + "\n\n  \n"}, {"two-bytes-after.stl", binary + "\r\n"},
+           {"many-bytes-after.stl", binary + std::string(1000, '\7')}, {"solid-binary.stl", solid}, {"solid-binary-after.stl", solid + "x"}}) {
+    const auto file = importSurfaces(folder.put(name, bytes));
+    ASSERT_TRUE(file.ok()) << name << ": " << toLogLine(file.error());
+    EXPECT_EQ(file->format, "STL") << name;
+    ASSERT_EQ(file->surfaces.size(), 1u) << name;
+    EXPECT_EQ(file->surfaces[0].mesh.triangles.size(), 12u) << name;
+    EXPECT_NEAR(healthOf(file->surfaces[0].mesh).volume, 6, 1e-5) << name;
+  }
+  const auto fault = [&](const char* name, const std::string& bytes) {
+    const auto file = importSurfaces(folder.put(name, bytes));
+    return file ? Error{} : file.error();
+  };
+  EXPECT_EQ(fault("cut.stl", binary.substr(0, binary.size() - 1)).fault, Fault::FileTruncated);
+  EXPECT_EQ(fault("half.stl", binary.substr(0, binary.size() / 2)).fault, Fault::FileTruncated);
+  const Error other = fault("an-obj.stl", samples::obj());
+  EXPECT_EQ(other.fault, Fault::BadMesh);
+  EXPECT_NE(other.arguments.at(0).find("not that of an STL"), std::string::npos) << other.arguments.at(0);
+  EXPECT_EQ(fault("short.stl", "hello").fault, Fault::BadMesh);
+}
+
+TEST(ImportSurfaces, namesAreWhole) {
+  const TemporaryFolder folder;
+  const auto namesIn = [&](const char* name, const std::string& bytes) {
+    std::vector<std::string> names;
+    const auto file = importSurfaces(folder.put(name, bytes));
+    EXPECT_TRUE(file.ok()) << name << (file ? "" : toLogLine(file.error()));
+    if (file)
+      for (const ImportedSurface& surface : file->surfaces) names.push_back(surface.name);
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  const std::string facet = " facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n   vertex 0 1 0\n  endloop\n endfacet\n";
+  EXPECT_EQ(namesIn("two.stl", "solid humerus left\n" + facet + "endsolid humerus left\nSOLID  scapula left \n" + facet + "ENDSOLID\n"), (Names{"humerus left", "scapula left"}));
+  EXPECT_EQ(namesIn("slicer.stl", "solid 3D Slicer output. SPACE=RAS\n" + facet + "endsolid\n"), (Names{"3D Slicer output. SPACE=RAS"}));
+  EXPECT_EQ(namesIn("latin-1.stl", "solid H\xfc" "fte\n" + facet + "endsolid\n"), (Names{"Hüfte"}));
+  EXPECT_EQ(namesIn("none.stl", "solid\n" + facet + "endsolid\n"), (Names{""}));
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  EXPECT_EQ(namesIn("same-first-word.obj", points + "o humerus left\nf 1 2 3\no humerus right\nf 1 3 4\n"), (Names{"humerus left", "humerus right"}));
+  EXPECT_EQ(namesIn("same.obj", points + "o\tbone\nf 1 2 3\no bone \nf 1 3 4\n"), (Names{"bone", "bone"}));
+  EXPECT_EQ(namesIn("group.obj", points + "g left humerus\nf 1 2 3\n"), (Names{"left humerus"}));
+  EXPECT_EQ(namesIn("nameless.obj", points + "f 1 2 3\n"), (Names{""})) << "assimp has a name of its own for it";
+  // What follows an object keeps its corners: the file is the same but for names.
+  const auto file = importSurfaces(folder.path("same-first-word.obj"));
+  ASSERT_EQ(file->surfaces.size(), 2u);
+  EXPECT_EQ(file->surfaces[0].mesh.triangles.size(), 1u);
+  EXPECT_EQ(file->surfaces[1].mesh.vertices.back(), Vec3(0, 0, 1));
+}
+
+TEST(ImportSurfaces, whatIsNotTheFileIsSaid) {
+  const TemporaryFolder folder;
+  const auto words = [&](const char* name, const std::string& bytes) {
+    const auto file = importSurfaces(folder.put(name, bytes));
+    return file || file.error().arguments.empty() ? std::string() : file.error().arguments[0];
+  };
+  const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:0000000000000000000000000000000000000000000000000000000000000000\nsize 12345\n";
+  for (const char* name : {"bone.stl", "bone.obj", "bone.ply", "bone.glb", "bone.vtp", "bone.vtk"}) {
+    EXPECT_NE(words(name, pointer).find("Git LFS"), std::string::npos) << name;
+    EXPECT_NE(words(name, "<!DOCTYPE html>\n<html><body>404</body></html>").find("web page"), std::string::npos) << name;
+  }
+  // Where a library refuses, its reason is told.
+  std::string lost = samples::gltf();
+  const auto at = lost.find("\"uri\":\""), end = lost.find('"', at + 7);
+  lost.replace(at + 7, end - at - 7, "left.bin");
+  EXPECT_NE(words("lost.gltf", lost).find("left.bin"), std::string::npos) << words("lost.gltf", lost);
+}
+
 TEST(ImportSurfaces, theContentCountsMoreThanTheEnding) {
   const TemporaryFolder folder;
   const auto file = importSurfaces(folder.put("really-stl.obj", samples::stlBinary()));
@@ -124,6 +211,38 @@ TEST(ImportSurfaces, aBufferOutsideTheFilesFolderIsNotOpened) {
   folder.put("buffer.bin", std::string(168, '\0'));
   const auto file = importSurfaces(folder.put("in/box.gltf", away));
   EXPECT_FALSE(file.ok());
+}
+
+TEST(ImportSurfaces, anEncodedNameOfABufferIsFound) {
+  const TemporaryFolder folder;
+  // The sample's buffer as a file of its own, under a name that an address must encode.
+  std::string file = samples::gltf();
+  const std::string mark = "base64,";
+  const auto at = file.find("\"uri\":\"") + 7, end = file.find('"', at);
+  const std::string packed = file.substr(file.find(mark, at) + mark.size(), end - file.find(mark, at) - mark.size());
+  std::string bytes;
+  unsigned bits = 0;
+  int have = 0;
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (const char c : packed) {
+    const auto value = letters.find(c);
+    if (value == std::string::npos) break;
+    bits = bits << 6 | static_cast<unsigned>(value), have += 6;
+    if (have >= 8) have -= 8, bytes += static_cast<char>(bits >> have & 255u);
+  }
+  for (const auto& [name, uri] : {std::pair{"left humerus.bin", "left%20humerus.bin"}, {"plain.bin", "plain.bin"}, {"100%25.bin", "100%25.bin"},
+                                  {"Hüfte.bin", "H%c3%BCfte.bin"}, {"in/part 2.bin", "in/part%202.bin"}}) {
+    folder.put(name, bytes);
+    std::string beside = file;
+    beside.replace(at, end - at, uri);
+    const auto read = importSurfaces(folder.put("box.gltf", beside));
+    ASSERT_TRUE(read.ok()) << uri << ": " << toLogLine(read.error());
+    EXPECT_NEAR(healthOf(read->surfaces[0].mesh).volume, 6, 1e-5) << uri;
+  }
+  std::string outside = file;
+  outside.replace(at, end - at, "%2e%2e/outside.bin");
+  folder.put("outside.bin", bytes);
+  EXPECT_FALSE(importSurfaces(folder.put("in/box.gltf", outside)).ok());
 }
 
 TEST(ImportSurfaces, twinsOfAFormatWithIndicesAreMeant) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "simcore/import/PolygonSplit.h"
+#include "simcore/mesh/PolygonSplit.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "tests/simcore/import/SampleFiles.h"
 
@@ -22,6 +22,31 @@ TEST(VtkSurface, legacyTextAndBinaryOfBothGenerations) {
   for (const bool binary : {false, true})
     for (const bool offsets : {false, true})
       expectBox(parseVtkSurface(samples::vtk(binary, offsets), "box.vtk"), std::to_string(binary) + std::to_string(offsets));
+}
+
+TEST(VtkSurface, fieldsOfTheWholeMayStandAnywhere) {
+  // As VTK 9.1 writes them: right behind the kind of the data set, strings with a length before each, metadata behind an array.
+  const std::string text = "FIELD FieldData 4\nfour%20floats 2 2 float\n1.5 2 3 4 \nbits 1 9 bit\n1 0 1 1 0 1 0 1 1 \nSPACE 1 2 string\nSPACE=RAS\na name of words\n"
+                           "METADATA\nCOMPONENT_NAMES\nspace\n\nlong 1 1 vtktypeint64\n1099511627776 \n";
+  std::string binary = "FIELD FieldData 4\nfour%20floats 2 2 float\n" + std::string(16, '\x0a') + "\nbits 1 9 bit\n" + std::string(2, '\x20') +
+                       "\nSPACE 1 2 string\n" + std::string(1, static_cast<char>(0xc9)) + "SPACE=RAS" + std::string("\x80\x64", 2) + std::string(100, 'x') +
+                       "\nMETADATA\nCOMPONENT_NAMES\nspace\n\nlong 1 1 vtktypeint64\n" + std::string(8, '\0') + "\n";
+  for (const bool isBinary : {false, true})
+    for (const bool offsets : {false, true})
+      for (const char* before : {"POINTS", "POLYGONS", "CELL_DATA"}) {
+        std::string file = samples::vtk(isBinary, offsets);
+        file.insert(file.find(before), isBinary ? binary : text);
+        expectBox(parseVtkSurface(file, "box.vtk"), std::string(before) + std::to_string(isBinary) + std::to_string(offsets));
+      }
+  std::string cut = samples::vtk(false, false);
+  cut.insert(cut.find("POINTS"), "FIELD FieldData 3\nfew 1 2 float\n1 2\n");
+  EXPECT_FALSE(parseVtkSurface(cut, "box.vtk").ok()) << "fewer arrays than it says";
+  std::string huge = samples::vtk(true, false);
+  huge.insert(huge.find("POINTS"), "FIELD FieldData 1\nall 4000000000 4000000000 double\n");
+  EXPECT_EQ(parseVtkSurface(huge, "box.vtk").error().fault, Fault::BadMesh);
+  huge = samples::vtk(true, false);
+  huge.insert(huge.find("POINTS"), "FIELD FieldData 1\nall 2000000000 2000000000 double\n");
+  EXPECT_EQ(parseVtkSurface(huge, "box.vtk").error().fault, Fault::FileTruncated);
 }
 
 TEST(VtkSurface, everyPackingOfVtp) {

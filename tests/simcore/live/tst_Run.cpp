@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <set>
 #include <thread>
 
 #include "simcore/live/Pacer.h"
@@ -51,6 +52,50 @@ TEST(Run, sameBitsTwiceAndForAnyNumberOfThreads) {
   const auto still = runScenario(model, options);
   ASSERT_TRUE(still);
   EXPECT_NE(one->report.stateHash, still->report.stateHash);  // the hands matter
+}
+
+TEST(Run, aLimitOfTimeEndsItWithTheReportUpToThere) {
+  const auto model = blockModel();
+  ASSERT_TRUE(model);
+  RunOptions options;
+  options.steps = 2000;
+  options.timeLimit = 0.3;
+  options.record = true;
+  options.observe = [](const StepReport&, const State& state, std::span<const Penetration>) {
+    if (state.step > 300) std::this_thread::sleep_for(std::chrono::milliseconds(40));  // the block lies on its plate by then
+  };
+  const auto stopped = runScenario(model, options);
+  ASSERT_TRUE(stopped);
+  const long reached = stopped->report.steps;
+  EXPECT_GT(reached, 0);
+  EXPECT_LT(reached, 400);
+  EXPECT_EQ(stopped->state.step, reached);
+  ASSERT_FALSE(stopped->report.notices.empty());
+  const Notice* notice = nullptr;
+  for (const Notice& each : stopped->report.notices)
+    if (each.kind == NoticeKind::TimeUp) notice = &each;
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->step, reached);
+  EXPECT_EQ(notice->limit, 0.3);
+  if (reached > 300) {
+    EXPECT_GT(notice->figure, 0);
+    EXPECT_EQ((std::set<std::string>{notice->subject, notice->other}), (std::set<std::string>{"block", "plate"}));
+    EXPECT_FALSE(stopped->contacts.empty());
+  }
+  // What was done until then is what a run of that length does.
+  options.steps = reached;
+  options.observe = nullptr;
+  options.timeLimit = 1e6;
+  const auto whole = runScenario(model, options);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->report.stateHash, stopped->report.stateHash);
+  EXPECT_EQ(whole->recording->stateHash, stopped->recording->stateHash);
+  EXPECT_EQ(whole->recording->steps, reached);
+  for (const Notice& each : whole->report.notices) EXPECT_NE(each.kind, NoticeKind::TimeUp);
+  // The last step may end late.
+  options.steps = 1;
+  options.timeLimit = 1e-9;
+  for (const Notice& each : runScenario(model, options)->report.notices) EXPECT_NE(each.kind, NoticeKind::TimeUp);
 }
 
 TEST(Run, aToolThatIsPressedInPressesBack) {
