@@ -6,6 +6,7 @@
 #include <map>
 
 #include "simcore/mesh/MeshHealth.h"
+#include "simcore/repair/Cracks.h"
 #include "simcore/repair/Edges.h"
 #include "simcore/repair/NameHints.h"
 #include "simcore/repair/Thickness.h"
@@ -172,19 +173,22 @@ class Diagnosing {
       mark(finding, std::move(contrary));
     }
     const OpenLoops loops = openLoops(m_mesh, m_sides);
+    double longestLid = 0;
     for (const auto& loop : loops.loops) {
       const int shell = shellOfVertex(loop[0]);
       if (shell >= 0 && m_shells.list[shell].sheet()) continue;
       ++m_out.holes;
-      m_out.longestHole = std::max(m_out.longestHole, lengthOf(m_mesh, loop));
+      const double length = lengthOf(m_mesh, loop);
+      m_out.longestHole = std::max(m_out.longestHole, length);
+      if (shell < 0 || !isCrack(m_mesh, loop, m_shells.list[shell].area)) longestLid = std::max(longestLid, length);
     }
     if (open.empty()) return;
     Finding& finding = add(FindingKind::Holes, FindingSeverity::Blocks, std::max(1l, m_out.holes));
     m_out.holes = finding.count;
     finding.measure = m_out.longestHole;
     finding.repairs = {{RepairKind::FillHoles}};
-    // A lid over half the part would be an invention.
-    finding.harmless = m_out.longestHole < 0.5 * m_out.box.diagonal().norm();
+    // A lid over half the part would be an invention; a crack is zipped.
+    finding.harmless = longestLid < 0.5 * m_out.box.diagonal().norm();
     mark(finding, std::move(open));
   }
 

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "simcore/mesh/TriangleOverlap.h"
+#include "simcore/repair/Cracks.h"
 #include "simcore/spatial/BoxTree.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -55,6 +56,13 @@ Shells findShells(const TriMesh& mesh, const std::vector<TriangleSide>& sides) {
     }
     shell.crowdedEdges += edge.size() > 2;
   });
+  if (std::none_of(shells.list.begin(), shells.list.end(), [](const Shell& shell) { return shell.openEdges > 0 && shell.sheet(); })) return shells;
+  // A long crack in a body makes no sheet of it.
+  std::unordered_map<int, int> shellOf;
+  for (std::size_t t = 0; t < n; ++t)
+    for (const int v : mesh.triangles[t]) shellOf.try_emplace(v, shells.ofTriangle[t]);
+  for (const auto& loop : openLoops(mesh, sides).loops)
+    if (Shell& shell = shells.list[shellOf[loop[0]]]; shell.sheet() && isCrack(mesh, loop, shell.area)) shell.openLength -= lengthOf(mesh, loop);
   return shells;
 }
 

@@ -61,7 +61,7 @@ struct Shell {
   int first = 0;           ///< triangle
   int triangles = 0;
   long openEdges = 0, crowdedEdges = 0;  ///< of one, of more than two triangles
-  double openLength = 0;
+  double openLength = 0;                 ///< of its rims that are no cracks
   double area = 0, volume = 0;
   Box3 box;
   bool closed() const { return openEdges == 0 && crowdedEdges == 0; }

@@ -3,6 +3,7 @@
 #include <set>
 #include <unordered_set>
 
+#include "simcore/repair/Cracks.h"
 #include "simcore/repair/Edges.h"
 #include "simcore/repair/Topology.h"
 #include "simcore/repair/Weld.h"
@@ -55,8 +56,9 @@ bool leastArea(const TriMesh& mesh, const std::vector<int>& loop, const std::uno
 
 TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& left, double& longestLeft) {
   // Rims that share a vertex come apart first; each is then a simple loop.
-  long doubled = 0;
-  TriMesh out = withoutCrowdedEdges(mesh, doubled);
+  long doubled = 0, joined = 0;
+  const TriMesh apart = withoutCrowdedEdges(mesh, doubled);
+  TriMesh out = zipped(apart, joined);
   const auto sides = sidesOf(out.triangles);
   const Shells shells = findShells(out, sides);
   std::vector<int> shellOf(out.vertices.size(), -1);
@@ -65,19 +67,23 @@ TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& l
   std::unordered_set<std::uint64_t> edges;
   for (const TriangleSide& side : sides) edges.insert(edgeKey(side.low, side.high));
   const OpenLoops rims = openLoops(out, sides);
-  changed = 0;
+  const std::size_t rimsBefore = joined > 0 ? openLoops(apart, sidesOf(apart.triangles)).loops.size() : rims.loops.size();
+  changed = static_cast<long>(rimsBefore > rims.loops.size() ? rimsBefore - rims.loops.size() : 0);
   left = rims.unchained > 0 ? 1 : 0;
   longestLeft = 0;
   for (const auto& loop : rims.loops) {
     const double length = lengthOf(out, loop);
     if (shells.list[shellOf[loop[0]]].sheet()) continue;
-    if (longest > 0 && length > longest) {
+    const bool crack = isCrack(out, loop, shells.list[shellOf[loop[0]]].area);
+    if (longest > 0 && length > longest && !crack) {
       ++left;
       longestLeft = std::max(longestLeft, length);
       continue;
     }
     Triangles lid;
-    if (loop.size() > 150 || !leastArea(out, loop, edges, lid)) {
+    if (crack && loop.size() > 150) {
+      lid = lidOfEars(out, loop).triangles;
+    } else if (loop.size() > 150 || !leastArea(out, loop, edges, lid)) {
       lid.clear();
       Vec3 middle = Vec3::Zero();
       for (const int v : loop) middle += out.vertices[v] / static_cast<double>(loop.size());
@@ -91,7 +97,7 @@ TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& l
     }
     ++changed;
   }
-  if (changed == 0) return mesh;
+  if (changed == 0 && joined == 0) return mesh;
   return out;
 }
 

@@ -171,31 +171,71 @@ TriMesh withoutDegenerate(const TriMesh& mesh, long& changed, long& left) {
   return out;
 }
 
+namespace {
+
+/// Of faces that lie back to back (`paired`: the first of those on each other, −1 for all other faces) those that belong to a fin: a patch of them whose whole border hangs on other faces,
+/// two or more at each edge. A patch with a free border, or with none at all, is a surface that has two sides.
+std::vector<char> finsAmong(const TriMesh& mesh, const std::vector<int>& paired) {
+  DisjointSets patches(mesh.triangles.size());
+  std::vector<char> hangs(mesh.triangles.size(), 0), isFree(mesh.triangles.size(), 0);
+  const auto sides = sidesOf(mesh.triangles);
+  forEachEdge(sides, [&](std::span<const TriangleSide> edge) {
+    int first = -1;
+    long others = 0;
+    bool goesOn = false;
+    for (const TriangleSide& side : edge) {
+      if (paired[side.triangle] < 0) {
+        ++others;
+        continue;
+      }
+      if (first >= 0) patches.join(first, side.triangle);
+      else first = side.triangle;
+      goesOn = goesOn || paired[side.triangle] != paired[first];
+    }
+    if (first < 0 || goesOn) return;
+    (others >= 2 ? hangs : isFree)[first] = 1;
+  });
+  std::vector<char> patchHangs(hangs.size(), 0), patchFree(hangs.size(), 0);
+  for (int t = 0; t < static_cast<int>(hangs.size()); ++t) {
+    const int patch = patches.root(t);
+    patchHangs[patch] = patchHangs[patch] || hangs[t];
+    patchFree[patch] = patchFree[patch] || isFree[t];
+  }
+  std::vector<char> fins(hangs.size(), 0);
+  for (int t = 0; t < static_cast<int>(fins.size()); ++t) {
+    const int patch = patches.root(t);
+    fins[t] = paired[t] >= 0 && patchHangs[patch] && !patchFree[patch];
+  }
+  return fins;
+}
+
+}  // namespace
+
 TriMesh withoutDuplicates(const TriMesh& mesh, long& changed) {
   const auto faces = facesByCorners(mesh);
   std::vector<char> keep(mesh.triangles.size(), 1);
-  const auto sides = sidesOf(mesh.triangles);
-  const auto facesAt = [&](int a, int b) {
-    const TriangleSide key{std::min(a, b), std::max(a, b), -1, false};
-    long n = 0;
-    for (auto at = std::lower_bound(sides.begin(), sides.end(), key); at != sides.end() && at->sameEdge(key); ++at) ++n;
-    return n;
+  std::vector<int> paired(mesh.triangles.size(), -1);
+  const auto forEachSet = [&](const auto& visit) {
+    for (std::size_t i = 0, end; i < faces.size(); i = end) {
+      for (end = i + 1; end < faces.size() && faces[end].first == faces[i].first;) ++end;
+      if (end - i < 2) continue;
+      long turns = 0;
+      for (std::size_t k = i; k < end; ++k) turns += even(mesh.triangles[faces[k].second]) ? 1 : -1;
+      visit(i, end, turns);
+    }
   };
-  for (std::size_t i = 0, end; i < faces.size(); i = end) {
-    for (end = i + 1; end < faces.size() && faces[end].first == faces[i].first;) ++end;
-    if (end - i < 2) continue;
-    long turns = 0;
-    for (std::size_t k = i; k < end; ++k) turns += even(mesh.triangles[faces[k].second]) ? 1 : -1;
-    const auto& c = faces[i].first;
-    const auto here = static_cast<long>(end - i);
-    const bool fin = turns == 0 && facesAt(c[0], c[1]) >= here + 2 && facesAt(c[1], c[2]) >= here + 2 && facesAt(c[2], c[0]) >= here + 2;
-    bool kept = fin;
+  forEachSet([&](std::size_t i, std::size_t end, long turns) {
+    for (std::size_t k = i; k < end && turns == 0; ++k) paired[faces[k].second] = faces[i].second;
+  });
+  const std::vector<char> fins = finsAmong(mesh, paired);
+  forEachSet([&](std::size_t i, std::size_t end, long turns) {
+    bool kept = fins[faces[i].second];
     for (std::size_t k = i; k < end; ++k) {
       const bool majority = turns == 0 || even(mesh.triangles[faces[k].second]) == (turns > 0);
       keep[faces[k].second] = !kept && majority;
       kept = kept || majority;
     }
-  }
+  });
   changed = static_cast<long>(std::count(keep.begin(), keep.end(), 0));
   return withTriangles(mesh, keep);
 }

@@ -25,7 +25,8 @@ TriMesh welded(const TriMesh& mesh, double tolerance, long& changed);
 /// opposite side gives that corner to its neighbour, so that no crack opens. `left`: those that could not be helped.
 TriMesh withoutDegenerate(const TriMesh& mesh, long& changed, long& left);
 
-/// One of each set of faces with the same corners. Two back to back inside something closed, a fin, both go.
+/// One of each set of faces with the same corners. A patch of faces back to back whose whole border hangs on other faces, a fin,
+/// goes; a surface that has two such sides keeps one.
 TriMesh withoutDuplicates(const TriMesh& mesh, long& changed);
 
 /// Some triangles of a mesh, with the vertices they need.

@@ -80,6 +80,38 @@ TEST(Repair, flatFacesGoWithoutLeavingCracks) {
   EXPECT_NEAR(enclosedVolume(mendedBall), enclosedVolume(ball), 1e-12);
 }
 
+TEST(Repair, aSurfaceOfTwoSidesKeepsOneAndAFinGoes) {
+  // A disc of n triangles, each in both directions; between two cones that meet at its rim it is a wall inside a body.
+  const int n = 24;
+  TriMesh disc;
+  for (int i = 0; i < n; ++i) disc.vertices.push_back({std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n), 0});
+  disc.vertices.insert(disc.vertices.end(), {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)});
+  TriMesh cones = disc;
+  for (int i = 0; i < n; ++i) {
+    disc.triangles.push_back({n, i, (i + 1) % n});
+    disc.triangles.push_back({n, (i + 1) % n, i});
+    cones.triangles.push_back({n + 1, i, (i + 1) % n});
+    cones.triangles.push_back({n + 2, (i + 1) % n, i});
+  }
+  RepairChange change;
+  const TriMesh one = mended(disc, {{RepairKind::DropDuplicates}, {RepairKind::Orient}}, &change);
+  EXPECT_EQ(one.triangles.size(), static_cast<std::size_t>(n));
+  const SurfaceDiagnosis found = diagnose(one);
+  EXPECT_TRUE(std::any_of(found.findings.begin(), found.findings.end(), [](const Finding& f) { return f.kind == FindingKind::Sheets; }));
+  EXPECT_EQ(found.shells, 1);
+  TriMesh walled = cones;
+  walled.triangles.insert(walled.triangles.end(), disc.triangles.begin(), disc.triangles.end());
+  const TriMesh free = mended(walled, {{RepairKind::DropDuplicates}});
+  EXPECT_EQ(free.triangles.size(), cones.triangles.size());
+  EXPECT_TRUE(healthOf(free).healthy());
+  // A closed surface twice, the second time inside out, encloses as much as one of them.
+  TriMesh twice = cones, back = reversed(cones);
+  twice.triangles.insert(twice.triangles.end(), back.triangles.begin(), back.triangles.end());
+  const TriMesh single = mended(twice, {{RepairKind::DropDuplicates}, {RepairKind::Orient}, {RepairKind::Outwards}});
+  EXPECT_TRUE(healthOf(single).healthy());
+  EXPECT_NEAR(enclosedVolume(single), enclosedVolume(cones), 1e-12);
+}
+
 TEST(Repair, contraryWindingsAndInsideOutShells) {
   TriMesh wrong = reversed(sphere(0.07));
   for (int t = 0; t < 600; t += 3) std::swap(wrong.triangles[t][0], wrong.triangles[t][2]);
