@@ -5,6 +5,7 @@
 #include "app/commands/Console.h"
 #include "app/commands/JointReport.h"
 #include "app/commands/JsonObject.h"
+#include "simcore/reading/Readings.h"
 
 namespace glenoid {
 namespace {
@@ -48,6 +49,30 @@ std::string padded(const std::string& words, std::size_t width) {
   return words + std::string(width > shown ? width - shown : 0, ' ');
 }
 
+/// A part without a name is known by its id.
+const std::string& shownName(const PartReport& part) { return part.name.empty() ? part.id : part.name; }
+
+/// What a part weighs in a run, and how large its visual surface is.
+struct Body {
+  double mass = 0, volume = 0;    ///< kg, m³
+  Vec3 size = Vec3::Zero();       ///< m, of its box
+};
+Body bodyOf(const Model& model, std::size_t part) {  // parts come first among the objects, in the joint's order
+  const TriMesh& surface = *model.joint.parts[part].visual;
+  return {readPart(model, model.start, static_cast<int>(part)).mass, enclosedVolume(surface), boundsOf(surface).sizes()};
+}
+
+std::string bodiesText(const Model& model, const std::vector<PartReport>& parts) {
+  std::string out = text("\n%-3s %-27s %10s %11s  %s\n", "id", "part", "mass g", "volume cm³", "size mm");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Body body = bodyOf(model, i);
+    const Vec3 mm = 1e3 * body.size;
+    out += text("%-3d ", parts[i].number) + padded(shownName(parts[i]), 27) +
+           text(" %10.4g %10.4g  %.4g × %.4g × %.4g\n", 1e3 * body.mass, 1e6 * body.volume, mm.x(), mm.y(), mm.z());
+  }
+  return out;
+}
+
 std::string share(int ours, int theirs) { return text("%+.1f %%", 100.0 * (ours - theirs) / theirs); }
 
 std::string publishedText(const Model& model, const std::vector<PartReport>& parts) {
@@ -57,7 +82,7 @@ std::string publishedText(const Model& model, const std::vector<PartReport>& par
   for (const PartReport& part : parts) {
     const Comparison comparison = compare(part);
     const PublishedRow* row = comparison.published;
-    out += text("%-3d ", part.number) + padded(part.name, 27) + text(" %-5s  %7d ", part.rigid ? "rigid" : "soft", part.renderTriangles);
+    out += text("%-3d ", part.number) + padded(shownName(part), 27) + text(" %-5s  %7d ", part.rigid ? "rigid" : "soft", part.renderTriangles);
     if (!row) {
       out += text("%6s %8s  %9d %5s %4s  %10d %5s %8s  ", "-", "", part.collisionTriangles, "-", "", part.tetrahedra, "-", "");
     } else {
@@ -86,7 +111,7 @@ std::string publishedText(const Model& model, const std::vector<PartReport>& par
 std::string plainText(const std::vector<PartReport>& parts) {
   std::string out = text("%-3s %-27s %-5s  %8s %10s %11s  %s\n", "id", "part", "kind", "visual", "collision", "tetrahedra", "couplings");
   for (const PartReport& part : parts)
-    out += text("%-3d ", part.number) + padded(part.name, 27) +
+    out += text("%-3d ", part.number) + padded(shownName(part), 27) +
            text(" %-5s  %8d %10d %11s  ", part.rigid ? "rigid" : "soft", part.renderTriangles, part.collisionTriangles,
                 part.rigid ? "NA" : text("%d", part.tetrahedra).c_str()) +
            couplingText(couplingNumbers(part)) + "\n";
@@ -101,6 +126,7 @@ std::string jointInfoText(const Model& model) {
   std::string out = text("%s: %zu parts, %zu couplings, hash %s\n\n", joint.name.c_str(), joint.parts.size(),
                          joint.couplings.size(), model.jointHash.c_str());
   out += isPublishedShoulder(joint) ? publishedText(model, parts) : plainText(parts);
+  out += bodiesText(model, parts);
   out += text("\n%-7s %-40s %-42s %7s %13s %9s\n", "between", "coupling", "region", "springs", "stiffness N/m", "area mm²");
   for (const CouplingRow& row : couplingRows(model))
     out += text("%-7s ", text("%d-%d", std::min(row.a, row.b), std::max(row.a, row.b)).c_str()) + padded(row.coupling->id, 41) +
@@ -112,12 +138,17 @@ std::string jointInfoText(const Model& model) {
 std::string jointInfoJson(const Model& model) {
   const Joint& joint = model.joint;
   Json parts = Json::array();
-  for (const PartReport& part : partReports(model)) {
+  const std::vector<PartReport> reports = partReports(model);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const PartReport& part = reports[i];
+    const Body body = bodyOf(model, i);
+    Json size = Json::array();
+    for (const double side : body.size) size.append(side);
     Json entry = jsonObject({{"id", part.id}, {"number", part.number}, {"name", part.name},
                              {"kind", part.rigid ? "rigid" : "soft"}, {"renderTriangles", part.renderTriangles},
                              {"collisionTriangles", part.collisionTriangles},
                              {"tetrahedra", part.rigid ? Json() : Json(part.tetrahedra)},
-                             {"couplings", jsonArray(couplingNumbers(part))}});
+                             {"couplings", jsonArray(couplingNumbers(part))}, {"mass", body.mass}, {"volume", body.volume}, {"size", size}});
     const Comparison fits = compare(part);
     if (isPublishedShoulder(joint) && fits.published) {
       const PublishedRow& row = *fits.published;

@@ -225,7 +225,7 @@ TEST(JointCommand, aRecipeBecomesAJointThatPassesItsChecks) {
   const auto folder = freshFolder();
   writeText(folder / "ball.ply", spherePly(0.02, 12));
   const Json material = {{"id", "tissue"}, {"name", "Tissue"}, {"density", 1000}, {"youngsModulus", 50000}, {"poissonRatio", 0.4}};
-  const Json part = {{"id", "ball"}, {"number", 1}, {"name", "Ball"}, {"kind", "soft"}, {"visual", "ball.ply"},
+  const Json part = {{"id", "ball"}, {"number", 1}, {"kind", "soft"}, {"visual", "ball.ply"},
                      {"collisionTriangles", 120}, {"tetrahedra", 100}, {"materials", {{{"material", "tissue"}}}}};
   const Json recipe = {{"schemaVersion", 1}, {"id", "small"}, {"name", "Small"}, {"materials", {material}}, {"parts", {part}}};
   writeText(folder / "recipe.json", recipe.dump(2));
@@ -239,6 +239,13 @@ TEST(JointCommand, aRecipeBecomesAJointThatPassesItsChecks) {
   EXPECT_EQ(info["parts"][0]["renderTriangles"], 2 * 24 * 11);
   EXPECT_NEAR(info["parts"][0]["tetrahedra"].get<double>(), 100, 15);
   EXPECT_FALSE(info["parts"][0].contains("published"));  // not the paper's shoulder
+  // A ball of 24 × 12 facets: 4/3 π r³ less some two per cent, at 1000 kg/m³.
+  EXPECT_NEAR(info["parts"][0]["volume"].get<double>(), 4.0 / 3 * M_PI * 8e-6, 0.03 * 3.35e-5);
+  EXPECT_NEAR(info["parts"][0]["mass"].get<double>() / info["parts"][0]["volume"].get<double>(), 1000, 1e-3);
+  for (const Json& side : info["parts"][0]["size"]) EXPECT_NEAR(side.get<double>(), 0.04, 1e-3);
+  const std::string words = glenoidProgram("joint info " + joint).out;
+  EXPECT_NE(words.find("mass g"), std::string::npos) << words;
+  EXPECT_NE(words.find("1   ball"), std::string::npos) << "by its id where it has no name: " << words;
 
   std::filesystem::remove(folder / "ball.ply");
   const Outcome missing = glenoidProgram("joint build " + quoted + "/recipe.json --meshes " + quoted + " --out " + joint);
