@@ -91,9 +91,9 @@ void keepLoaders(Assimp::Importer& importer, const std::string& ending) {
 
 class SceneReader {
  public:
-  /// `ownNormals`: normals that are more than those of the triangles, as an STL's are not.
-  SceneReader(const aiScene& scene, const std::string& file, long long most, bool ownNormals)
-      : m_scene(scene), m_file(file), m_most(most), m_ownNormals(ownNormals) {}
+  /// An STL's normals are no more than those of its triangles.
+  SceneReader(const aiScene& scene, const std::string& file, long long most, MeshFormat format)
+      : m_scene(scene), m_file(file), m_most(most), m_ownNormals(format != MeshFormat::Stl), m_gltf(format == MeshFormat::Gltf || format == MeshFormat::Glb) {}
 
   Result<ImportedFile> read() {
     countWhatIsLost();
@@ -128,7 +128,9 @@ class SceneReader {
       note(ImportNote::ColoursDropped, mesh.HasVertexColors(0));
       note(ImportNote::AnimationsDropped, mesh.mNumBones + mesh.mNumAnimMeshes);
     }
-    for (unsigned i = 0; i < m_scene.mNumMaterials; ++i)
+    // assimp adds a material of its own behind those of a glTF.
+    const unsigned own = m_gltf && m_scene.mNumMaterials > 0 && m_scene.mMaterials[m_scene.mNumMaterials - 1]->GetName().length == 0;
+    for (unsigned i = 0; i + own < m_scene.mNumMaterials; ++i)
       note(ImportNote::MaterialsDropped, m_scene.mMaterials[i]->GetName() != aiString(AI_DEFAULT_MATERIAL_NAME));
     note(ImportNote::AnimationsDropped, m_scene.mNumAnimations);
     note(ImportNote::OthersDropped, m_scene.mNumLights + m_scene.mNumCameras);
@@ -192,7 +194,7 @@ class SceneReader {
   const aiScene& m_scene;
   const std::string& m_file;
   long long m_most, m_triangles = 0;
-  bool m_ownNormals;
+  bool m_ownNormals, m_gltf;
   ImportedFile m_out;
   Error m_error;
 };
@@ -256,7 +258,7 @@ Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, 
   const long polygons = polygonsIn(*scene);
   if (polygons > 0) scene = importer.ApplyPostProcessing(aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) return refused();
-  Result<ImportedFile> out = SceneReader(*scene, path, triangles, format != MeshFormat::Stl).read();
+  Result<ImportedFile> out = SceneReader(*scene, path, triangles, format).read();
   if (!out) return out;
   out->format = formatName(format);
   addNote(out->notes, ImportNote::PolygonsSplit, polygons);

@@ -5,6 +5,7 @@
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/AssimpRead.h"
+#include "simcore/import/GltfExtensions.h"
 #include "simcore/import/MeshFormat.h"
 #include "simcore/import/TextSurfaces.h"
 #include "simcore/import/VtkSurface.h"
@@ -47,6 +48,14 @@ Result<ImportedFile> readAsItIs(const std::string& path, long long triangles) {
       if (!text) return text.error();
       return readNamed(path, *format, triangles, *text);
     }
+    case MeshFormat::Gltf:
+    case MeshFormat::Glb:
+      if (const auto unknown = extensionsNotUnderstood(*bytes, *format == MeshFormat::Glb); !unknown.empty()) {
+        std::string names;
+        for (const std::string& name : unknown) names += (names.empty() ? "" : ", ") + name;
+        return Error{Fault::BadMesh, {path, {}, {}, {}}, {"it requires what is not understood here (" + names + "): write it without that, or in another format"}, "glTF"};
+      }
+      return readWithAssimp(path, *format, triangles);
     case MeshFormat::Obj: return readNamed(path, *format, triangles, objForReader(*bytes));
     default: return readWithAssimp(path, *format, triangles);
   }

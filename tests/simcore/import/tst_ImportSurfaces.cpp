@@ -7,6 +7,7 @@
 #include <cctype>
 #include <functional>
 
+#include "simcore/file/ByteReader.h"
 #include "simcore/import/MeshFormat.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "tests/simcore/file/TemporaryFolder.h"
@@ -211,6 +212,37 @@ TEST(ImportSurfaces, aBufferOutsideTheFilesFolderIsNotOpened) {
   folder.put("buffer.bin", std::string(168, '\0'));
   const auto file = importSurfaces(folder.put("in/box.gltf", away));
   EXPECT_FALSE(file.ok());
+}
+
+TEST(ImportSurfaces, whatAGltfRequiresIsUnderstoodOrRefused) {
+  const TemporaryFolder folder;
+  const auto with = [](std::string file, const std::string& names) { return file.insert(file.find('{') + 1, "\"extensionsRequired\":[" + names + "],"); };
+  const auto glb = [&](const std::string& text) {
+    std::string json = text;
+    while (json.size() % 4 != 0) json += ' ';
+    std::string bytes = "glTF";
+    appendBytes<std::uint32_t>(2, std::endian::little, bytes);
+    appendBytes<std::uint32_t>(static_cast<std::uint32_t>(20 + json.size()), std::endian::little, bytes);
+    appendBytes<std::uint32_t>(static_cast<std::uint32_t>(json.size()), std::endian::little, bytes);
+    return bytes + "JSON" + json;
+  };
+  for (const bool binary : {false, true}) {
+    const char* name = binary ? "box.glb" : "box.gltf";
+    const auto form = [&](const std::string& text) { return binary ? glb(text) : text; };
+    for (const std::string required : {"\"KHR_mesh_quantization\"", "\"EXT_meshopt_compression\"", "\"KHR_materials_unlit\",\"VENDOR_new_geometry\""}) {
+      const auto refused = importSurfaces(folder.put(name, form(with(samples::gltf(), required))));
+      ASSERT_FALSE(refused.ok()) << required;
+      const std::string last = required.substr(required.rfind(',') + 2);
+      EXPECT_NE(refused.error().arguments.at(0).find(last.substr(0, last.size() - 1)), std::string::npos) << refused.error().arguments[0];
+      EXPECT_EQ(refused.error().arguments[0].find("unlit"), std::string::npos);
+    }
+    if (binary) continue;  // assimp finds no buffer that a GLB holds as text
+    for (const std::string required : {"", "\"KHR_materials_unlit\"", "\"KHR_texture_transform\",\"EXT_texture_webp\""}) {
+      const auto file = importSurfaces(folder.put(name, form(with(samples::gltf(), required))));
+      ASSERT_TRUE(file.ok()) << required << toLogLine(file.error());
+      EXPECT_EQ(countOf(*file, ImportNote::MaterialsDropped), 0) << "the reader's own one does not count";
+    }
+  }
 }
 
 TEST(ImportSurfaces, anEncodedNameOfABufferIsFound) {
