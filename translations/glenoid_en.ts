@@ -364,6 +364,13 @@
             <numerusform>%n surfaces without triangles were left out.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %n solid cell(s) the outside was taken.</source>
+        <translation>
+            <numerusform>Of %n solid cell the outside was taken.</numerusform>
+            <numerusform>Of %n solid cells the outside was taken.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glenoid::JobsBar</name>

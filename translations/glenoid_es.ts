@@ -1984,6 +1984,13 @@
             <numerusform>%n superficies sin triángulos se han omitido.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Of %n solid cell(s) the outside was taken.</source>
+        <translation>
+            <numerusform>De %n celda sólida se ha tomado el exterior.</numerusform>
+            <numerusform>De %n celdas sólidas se ha tomado el exterior.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>The file says so.</source>
         <translation>Lo dice el archivo.</translation>
@@ -3918,8 +3925,8 @@
         <translation>Restaure el archivo original o guarde de nuevo la articulación.</translation>
     </message>
     <message>
-        <source>Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP or VTK.</source>
-        <translation>Use una carpeta .joint, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP o VTK.</translation>
+        <source>Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.</source>
+        <translation>Use una carpeta .joint, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU o VTK.</translation>
     </message>
     <message>
         <source>Enlarge the region of the coupling.</source>

@@ -136,7 +136,7 @@ void addMeshCommand(CLI::App& app, int& status) {
   const auto finish = [&status](const Result<Done>& done) { status = done ? kDone : complain(done.error()); };
 
   CLI::App* infoCommand = command->add_subcommand("info", "What a file holds, its unit and size, and what is wrong with it");
-  infoCommand->add_option("FILE", wishes->files, "OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP or VTK")->required();
+  infoCommand->add_option("FILE", wishes->files, "OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK")->required();
   infoCommand->add_flag("--json", wishes->json, "For programs");
   infoCommand->callback([=] { finish(info(*wishes)); });
 

@@ -92,6 +92,7 @@ QString Words::note(ImportNote note, int n) {
     case ImportNote::OthersDropped: return tr("%n light(s) or camera(s) were left out.", nullptr, n);
     case ImportNote::DataDropped: return tr("%n array(s) of values were left out.", nullptr, n);
     case ImportNote::SurfacesWithoutTriangles: return tr("%n surface(s) without triangles were left out.", nullptr, n);
+    case ImportNote::SolidsSkinned: return tr("Of %n solid cell(s) the outside was taken.", nullptr, n);
   }
   return {};
 }

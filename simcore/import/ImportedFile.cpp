@@ -42,6 +42,7 @@ const char* importNoteName(ImportNote note) {
     case ImportNote::OthersDropped: return "lights-and-cameras-dropped";
     case ImportNote::DataDropped: return "data-dropped";
     case ImportNote::SurfacesWithoutTriangles: return "surfaces-without-triangles";
+    case ImportNote::SolidsSkinned: return "solids-skinned";
   }
   return "";
 }

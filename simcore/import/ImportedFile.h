@@ -25,8 +25,9 @@ enum class ImportNote {
   OthersDropped,      ///< lights and cameras
   DataDropped,        ///< arrays of values at points or cells
   SurfacesWithoutTriangles,
+  SolidsSkinned,      ///< solid cells, of which the faces on the outside were taken
 };
-inline constexpr int kImportNoteCount = static_cast<int>(ImportNote::SurfacesWithoutTriangles) + 1;
+inline constexpr int kImportNoteCount = static_cast<int>(ImportNote::SolidsSkinned) + 1;
 
 /// Word of a note, for programs and logs: "polygons-split" …
 const char* importNoteName(ImportNote note);

@@ -15,7 +15,7 @@ struct Row {
   const char *name, *ending;
 };
 
-constexpr std::array<Row, 10> kRows{{{MeshFormat::Obj, "OBJ", "obj"},
+constexpr std::array<Row, 11> kRows{{{MeshFormat::Obj, "OBJ", "obj"},
                                      {MeshFormat::Stl, "STL", "stl"},
                                      {MeshFormat::Ply, "PLY", "ply"},
                                      {MeshFormat::Gltf, "glTF", "gltf"},
@@ -24,6 +24,7 @@ constexpr std::array<Row, 10> kRows{{{MeshFormat::Obj, "OBJ", "obj"},
                                      {MeshFormat::Dae, "DAE", "dae"},
                                      {MeshFormat::Fbx, "FBX", "fbx"},
                                      {MeshFormat::Vtp, "VTP", "vtp"},
+                                     {MeshFormat::Vtu, "VTU", "vtu"},
                                      {MeshFormat::VtkLegacy, "VTK", "vtk"}}};
 
 bool begins(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }

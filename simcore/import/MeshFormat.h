@@ -8,7 +8,7 @@
 namespace glenoid {
 
 /// Formats of surfaces that can be read.
-enum class MeshFormat { Obj, Stl, Ply, Gltf, Glb, ThreeMf, Dae, Fbx, Vtp, VtkLegacy };
+enum class MeshFormat { Obj, Stl, Ply, Gltf, Glb, ThreeMf, Dae, Fbx, Vtp, Vtu, VtkLegacy };
 
 /// "OBJ", "STL" …
 const char* formatName(MeshFormat format);

@@ -41,7 +41,8 @@ Result<ImportedFile> readAsItIs(const std::string& path, long long triangles) {
   if (const auto seen = formatByContent(*bytes)) format = seen;  // the bytes know better than the name
   switch (*format) {
     case MeshFormat::Ply: return parsePlySurface(*bytes, path);
-    case MeshFormat::Vtp: return parseVtp(*bytes, path);
+    case MeshFormat::Vtp:
+    case MeshFormat::Vtu: return parseVtp(*bytes, path);
     case MeshFormat::VtkLegacy: return parseVtkSurface(*bytes, path);
     case MeshFormat::Stl: {
       const Result<TextSurfaces> text = stlForReader(*bytes, path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/mesh/PolygonSplit.h"
 #include "simcore/import/VtkSurface.h"
+#include "simcore/mesh/Cleanup.h"
+#include "simcore/mesh/PolygonSplit.h"
 
 namespace glenoid {
 
@@ -36,13 +37,14 @@ Result<Done> VtkCells::strip(std::vector<long long>& corners, long long base) {
 }
 
 Result<ImportedFile> VtkCells::finish(const char* format) {
+  skin();
   for (std::size_t i = 0; i < m_mesh.vertices.size(); ++i)
     if (!m_mesh.vertices[i].allFinite()) return Error{Fault::NotFinite, {m_file, {}, {}, static_cast<long>(i)}, {}, {}};
   if (m_mesh.triangles.empty()) return Error{Fault::BadMesh, {m_file, {}, {}, {}}, {"it holds no triangles"}, {}};
   ImportedFile out;
   out.format = format;
   out.notes = std::move(m_notes);
-  out.surfaces.push_back({{}, std::move(m_mesh)});
+  out.surfaces.push_back({{}, m_faces.empty() ? std::move(m_mesh) : compact(m_mesh)});  // points inside solids
   return out;
 }
 

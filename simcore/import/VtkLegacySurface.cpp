@@ -15,7 +15,7 @@ std::string lower(std::string_view word) {
   return text;
 }
 
-enum class Cells { Vertices, Lines, Polygons, Strips };
+enum class Cells { Vertices, Lines, Polygons, Strips, Grid };
 
 /// Walks through the sections of one file. Each function answers false once `m_error` says why.
 class LegacyFile {
@@ -24,6 +24,7 @@ class LegacyFile {
 
   Result<ImportedFile> read() {
     if (!readHeader() || !readSections()) return m_error;
+    if (!m_kept.empty()) return Error{Fault::BadMesh, {m_file, {}, {}, {}}, {"its cells have no types"}, {}};
     return m_cells.finish("VTK");
   }
 
@@ -56,7 +57,8 @@ class LegacyFile {
     const std::string dataset = lower(m_bytes.takeWord()), kind = lower(m_bytes.takeWord());
     if (m_bytes.left() == 0) return fail(Fault::FileTruncated);
     if (dataset != "dataset") return wrong("it has no data set");
-    if (kind != "polydata") return fail(Fault::BadMesh, {"it holds a " + kind.substr(0, 40) + ", not surfaces (polydata)"});
+    m_grid = kind == "unstructured_grid";
+    if (kind != "polydata" && !m_grid) return fail(Fault::BadMesh, {"it holds " + kind.substr(0, 40) + ", not surfaces (polydata) or cells (unstructured_grid)"});
     return true;
   }
 
@@ -75,6 +77,9 @@ class LegacyFile {
       else if (word == "metadata") good = skipMetadata();
       else if (word == "field") good = skipField();
       else if (!points) return wrong("unexpected word \"" + word.substr(0, 40) + "\"");
+      else if (m_grid && word == "cells") good = readCells(Cells::Grid);
+      else if (m_grid && word == "cell_types") good = readTypes();
+      else if (m_grid) return wrong("unexpected word \"" + word.substr(0, 40) + "\"");
       else if (word == "polygons") good = readCells(Cells::Polygons);
       else if (word == "triangle_strips") good = readCells(Cells::Strips);
       else if (word == "lines") good = readCells(Cells::Lines);
@@ -209,6 +214,7 @@ class LegacyFile {
       case Cells::Lines: m_cells.note(ImportNote::LinesDropped, 1); return true;
       case Cells::Polygons: return pass(m_cells.polygon(corners, 0));
       case Cells::Strips: return pass(m_cells.strip(corners, 0));
+      case Cells::Grid: m_kept.push_back(corners); return true;  // their types follow
     }
     return false;
   }
@@ -232,6 +238,20 @@ class LegacyFile {
       if (cell + 1 == cells && used != numbers) return fail(Fault::BadMesh, {"cells whose size does not fit their number"});
       if (cell + 1 < cells && used >= numbers) return fail(Fault::BadMesh, {"cells whose size does not fit their number"});
     }
+    return true;
+  }
+
+  /// Of the cells that were read before.
+  bool readTypes() {
+    std::size_t count = 0;
+    if (!takeCount(4, count) || !endHeaderLine()) return false;
+    if (count != m_kept.size()) return fail(Fault::BadMesh, {"as many types as cells are wanted"});
+    for (std::vector<long long>& corners : m_kept) {
+      long long type = 0;
+      if (!takeInteger(false, type)) return false;
+      if (!pass(m_cells.cell(static_cast<int>(std::clamp(type, -1ll, 1000ll)), corners, 0))) return false;
+    }
+    m_kept.clear();
     return true;
   }
 
@@ -262,7 +282,8 @@ class LegacyFile {
 
   ByteReader m_bytes;
   const std::string& m_file;
-  bool m_ascii = true, m_offsets = false;
+  bool m_ascii = true, m_offsets = false, m_grid = false;
+  std::vector<std::vector<long long>> m_kept;  ///< cells of a grid until their types are known
   VtkCells m_cells;
   Error m_error;
 };

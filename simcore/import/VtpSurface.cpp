@@ -17,9 +17,10 @@ struct CellArrays {
 };
 
 struct Piece {
-  long long points = 0, verts = 0, lines = 0, strips = 0, polys = 0;
+  long long points = 0, verts = 0, lines = 0, strips = 0, polys = 0, cells = 0;
   std::optional<VtpArray> coordinates;
-  CellArrays polygons, triangleStrips;
+  CellArrays polygons, triangleStrips, grid;
+  std::optional<VtpArray> types;  ///< of the grid's cells
 };
 
 class VtpFile {
@@ -30,7 +31,7 @@ class VtpFile {
     if (!readTags()) return m_error;
     for (const Piece& piece : m_pieces)
       if (!readPiece(piece)) return m_error;
-    return m_cells.finish("VTP");
+    return m_cells.finish(m_grid ? "VTU" : "VTP");
   }
 
  private:
@@ -46,8 +47,10 @@ class VtpFile {
     while (const auto tag = scan.next()) {
       if (!root) {
         if (tag->name != "VTKFile") return fail(Fault::UnknownFormat);
-        if (const std::string type = tag->attribute("type"); type != "PolyData")
-          return fail(Fault::BadMesh, {"it holds " + (type.empty() ? "nothing named" : type.substr(0, 40)) + ", not surfaces (PolyData)"});
+        if (const std::string type = tag->attribute("type"); type != "PolyData") {
+          m_grid = type == "UnstructuredGrid";
+          if (!m_grid) return fail(Fault::BadMesh, {"it holds " + (type.empty() ? "nothing named" : type.substr(0, 40)) + ", not surfaces (PolyData) or cells (UnstructuredGrid)"});
+        }
         root = true;
         m_packing.bigEndian = tag->attribute("byte_order") == "BigEndian";
         m_packing.wideHeader = tag->attribute("header_type") == "UInt64";
@@ -72,7 +75,7 @@ class VtpFile {
         if (m_pieces.empty()) continue;
         takeArray(*tag, section, scan);
       } else if (!m_pieces.empty() && (tag->name == "Points" || tag->name == "Polys" || tag->name == "Strips" ||
-                                       tag->name == "Lines" || tag->name == "Verts" || tag->name == "PointData" ||
+                                       tag->name == "Lines" || tag->name == "Verts" || tag->name == "Cells" || tag->name == "PointData" ||
                                        tag->name == "CellData")) {
         section = tag->closing || tag->empty ? std::string() : tag->name;
       }
@@ -86,7 +89,7 @@ class VtpFile {
     Piece& piece = m_pieces.back();
     for (const auto& [name, count] :
          {std::pair("NumberOfPoints", &piece.points), std::pair("NumberOfVerts", &piece.verts), std::pair("NumberOfLines", &piece.lines),
-          std::pair("NumberOfStrips", &piece.strips), std::pair("NumberOfPolys", &piece.polys)}) {
+          std::pair("NumberOfStrips", &piece.strips), std::pair("NumberOfPolys", &piece.polys), std::pair("NumberOfCells", &piece.cells)}) {
       const auto value = integerIn(tag.attribute(name, "0"));
       if (!value || *value < 0 || *value >= kMostRows) return fail(Fault::BadMesh, {std::string(name) + " is no count"});
       *count = *value;
@@ -105,8 +108,9 @@ class VtpFile {
       array.offset = static_cast<unsigned long long>(*offset);
     const std::string name = tag.attribute("Name");
     if (section == "Points" && !piece.coordinates) piece.coordinates = array;
-    if (section != "Polys" && section != "Strips") return;
-    CellArrays& cells = section == "Polys" ? piece.polygons : piece.triangleStrips;
+    if (section != "Polys" && section != "Strips" && section != "Cells") return;
+    if (section == "Cells" && name == "types") piece.types = array;
+    CellArrays& cells = section == "Polys" ? piece.polygons : section == "Strips" ? piece.triangleStrips : piece.grid;
     if (name == "connectivity") cells.connectivity = array;
     if (name == "offsets") cells.offsets = array;
   }
@@ -123,10 +127,21 @@ class VtpFile {
       for (std::size_t i = 0; i < numbers->size(); i += 3)
         m_cells.points().push_back({(*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]});
     }
-    return readCells(piece.polygons, piece.polys, base, false) && readCells(piece.triangleStrips, piece.strips, base, true);
+    if (m_grid) {
+      if (piece.cells == 0) return true;
+      const auto types = piece.types ? vtpNumbers(*piece.types, m_packing, static_cast<std::size_t>(piece.cells)) : std::nullopt;
+      if (!types || types->size() != static_cast<std::size_t>(piece.cells)) return fail(Fault::BadMesh, {"the types of its cells cannot be made out"});
+      return readCells(piece.grid, piece.cells, [&, at = std::size_t{0}](std::vector<long long>& corners) mutable {
+        const double type = (*types)[at++];
+        return m_cells.cell(type >= 0 && type < 1000 ? static_cast<int>(type) : -1, corners, base);
+      });
+    }
+    return readCells(piece.polygons, piece.polys, [&](std::vector<long long>& corners) { return m_cells.polygon(corners, base); }) &&
+           readCells(piece.triangleStrips, piece.strips, [&](std::vector<long long>& corners) { return m_cells.strip(corners, base); });
   }
 
-  bool readCells(const CellArrays& arrays, long long count, long long base, bool strips) {
+  template <class Take>
+  bool readCells(const CellArrays& arrays, long long count, Take&& take) {
     if (count == 0) return true;
     const char* unclear = "its cells cannot be made out";
     if (!arrays.connectivity || !arrays.offsets) return fail(Fault::BadMesh, {unclear});
@@ -149,8 +164,7 @@ class VtpFile {
         corners.push_back(static_cast<long long>(index));
       }
       from = to;
-      const auto good = strips ? m_cells.strip(corners, base) : m_cells.polygon(corners, base);
-      if (!good) {
+      if (const auto good = take(corners); !good) {
         m_error = good.error();
         return false;
       }
@@ -163,6 +177,7 @@ class VtpFile {
   VtkCells m_cells;
   VtpPacking m_packing;
   std::vector<Piece> m_pieces;
+  bool m_grid = false;
   Error m_error;
 };
 

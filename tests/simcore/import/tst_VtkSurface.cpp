@@ -59,6 +59,70 @@ TEST(VtkSurface, everyPackingOfVtp) {
                   "form " + std::to_string(static_cast<int>(form)) + (wide ? " wide" : "") + (big ? " big" : ""));
 }
 
+/// An unstructured grid as text: legacy of both generations, or VTU.
+enum class Grid { Counted, Offsets, Xml };
+std::string gridText(Grid form, const std::string& points, int count, const std::vector<std::vector<int>>& cells, const std::vector<int>& types) {
+  std::string counted, corners, ends = form == Grid::Offsets ? "0 " : "", kinds;
+  std::size_t numbers = 0;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    counted += std::to_string(cells[c].size()) + " ";
+    for (const int i : cells[c]) counted += std::to_string(i) + " ", corners += std::to_string(i) + " ", ++numbers;
+    ends += std::to_string(numbers) + " ";
+    kinds += std::to_string(types[c]) + " ";
+  }
+  const std::string n = std::to_string(cells.size()), p = std::to_string(count);
+  if (form == Grid::Xml)
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece NumberOfPoints=\"" + p +
+           "\" NumberOfCells=\"" + n + "\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" format=\"ascii\">" + points +
+           "</DataArray></Points><Cells><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">" + corners +
+           "</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">" + ends +
+           "</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">" + kinds + "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+  const std::string head = "\ngrid\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + p + " double\n" + points + "\n", tail = "\nCELL_TYPES " + n + "\n" + kinds + "\n";
+  if (form == Grid::Counted) return "# vtk DataFile Version 3.0" + head + "CELLS " + n + " " + std::to_string(numbers + cells.size()) + "\n" + counted + tail;
+  return "# vtk DataFile Version 5.1" + head + "CELLS " + std::to_string(cells.size() + 1) + " " + std::to_string(numbers) + "\nOFFSETS vtktypeint64\n" + ends +
+         "\nCONNECTIVITY vtktypeint64\n" + corners + tail;
+}
+
+TEST(VtkSurface, theOutsideOfGridsIsTaken) {
+  // The unit cube with its middle (8) and a point above it (9).
+  const std::string points = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1 0.5 0.5 0.5 0.5 0.5 2";
+  struct Case {
+    const char* what;
+    std::vector<std::vector<int>> cells;
+    std::vector<int> types;
+    double volume;
+    std::size_t triangles;
+  };
+  for (const Case& one : {Case{"tetrahedron", {{0, 1, 3, 4}}, {10}, 1.0 / 6, 4}, Case{"hexahedron", {{0, 1, 2, 3, 4, 5, 6, 7}}, {12}, 1, 12},
+                          Case{"voxel", {{0, 1, 3, 2, 4, 5, 7, 6}}, {11}, 1, 12}, Case{"wedge", {{0, 1, 3, 4, 5, 7}}, {13}, 0.5, 8}, Case{"wedge the other way round", {{0, 3, 1, 4, 7, 5}}, {13}, 0.5, 8},
+                          Case{"mirrored hexahedron", {{4, 5, 6, 7, 0, 1, 2, 3}}, {12}, 1, 12},
+                          Case{"pyramid", {{0, 1, 2, 3, 8}}, {14}, 1.0 / 6, 6},
+                          Case{"a pyramid on a cube, and the marks of a boundary", {{4, 5, 6, 7, 9}, {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 5, 4}, {4, 5, 9}, {4, 5, 6, 7}, {2, 3}, {0}},
+                               {14, 12, 9, 5, 9, 3, 1}, 4.0 / 3, 14},
+                          Case{"six pyramids in a cube", {{0, 1, 2, 3, 8}, {4, 7, 6, 5, 8}, {0, 4, 5, 1, 8}, {1, 5, 6, 2, 8}, {2, 6, 7, 3, 8}, {3, 7, 4, 0, 8}}, {14, 14, 14, 14, 14, 14}, 1, 12},
+                          Case{"faces alone", {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 7, 4}}, {9, 9, 9, 9, 9, 8}, 1, 12},
+                          Case{"a curved tetrahedron by its corners", {{0, 1, 3, 4, 8, 8, 8, 8, 8, 8}}, {24}, 1.0 / 6, 4}})
+    for (const Grid form : {Grid::Counted, Grid::Offsets, Grid::Xml}) {
+      const std::string text = gridText(form, points, 10, one.cells, one.types);
+      const auto file = form == Grid::Xml ? parseVtp(text, "grid.vtu") : parseVtkSurface(text, "grid.vtk");
+      ASSERT_TRUE(file.ok()) << one.what << ": " << toLogLine(file.error());
+      EXPECT_EQ(file->format, form == Grid::Xml ? "VTU" : "VTK");
+      const MeshHealth health = healthOf(file->surfaces[0].mesh);
+      EXPECT_EQ(file->surfaces[0].mesh.triangles.size(), one.triangles) << one.what;
+      EXPECT_EQ(health.openEdges + health.misorientedEdges + health.nonManifoldEdges, 0) << one.what;
+      EXPECT_NEAR(health.volume, one.volume, 1e-12) << one.what << ", wound outwards";
+    }
+  const auto fault = [&](const std::vector<std::vector<int>>& cells, const std::vector<int>& types) {
+    const auto file = parseVtkSurface(gridText(Grid::Counted, points, 10, cells, types), "grid.vtk");
+    return file ? Fault::Internal : file.error().fault;
+  };
+  EXPECT_EQ(fault({{0, 1, 3}}, {10}), Fault::BadMesh) << "too few corners";
+  EXPECT_EQ(fault({{0, 1, 3, 10}}, {10}), Fault::BadIndex);
+  EXPECT_EQ(fault({{0, 1, 3, 4}}, {42}), Fault::BadMesh) << "a type nobody knows here";
+  EXPECT_EQ(fault({{0, 1}}, {3}), Fault::BadMesh) << "no triangles";
+  EXPECT_FALSE(parseVtkSurface("# vtk DataFile Version 3.0\ng\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nCELLS 1 4\n3 0 1 2\n", "g.vtk").ok());
+}
+
 TEST(VtkSurface, stripsKeepTheirWinding) {
   const std::string text = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n0 0 0 0 1 0 1 0 0 1 1 0 0.5 2 0\n"
                            "TRIANGLE_STRIPS 1 6\n5 0 2 1 3 4\nLINES 1 3\n2 0 1\nVERTICES 1 2\n1 0\n";
