@@ -25,7 +25,13 @@ class NumberReader {
     if (m_ascii) {
       const std::string_view word = m_bytes.takeWord();
       if (word.empty()) return Read::Ended;
-      const auto number = realIn(word);
+      auto number = realIn(word);
+      if (const std::size_t comma = word.find(','); !number && comma != std::string_view::npos) {
+        // Written in a locale with decimal commas, which the readers of the other formats take too.
+        std::string text(word);
+        text[comma] = '.';
+        number = realIn(text);
+      }
       if (!number)
         return m_bytes.left() == 0 ? Read::Ended : Read::NoNumber;  // a word that the end of file cut
       value = *number;

@@ -75,6 +75,14 @@ TEST(Ply, polygonsBecomeFansAndAreCounted) {
   EXPECT_EQ(notes.polygonsSplit, 1);
 }
 
+TEST(Ply, decimalCommasAreNumbers) {
+  const auto mesh = parsePly(ascii("0 0 0\n1,5 -0,25 1,5e-1\n1 1 0\n", "3 0 1 2\n", 3, 1), "m.ply");
+  ASSERT_TRUE(mesh.ok()) << toLogLine(mesh.error());
+  EXPECT_EQ(mesh->vertices[1], Vec3(1.5, -0.25, 0.15));
+  for (const char* wrong : {"1,5,0", "1.5,0", ",", "a,5"})
+    EXPECT_FALSE(parsePly(ascii("0 0 0\n" + std::string(wrong) + " 0 0\n1 1 0\n", "3 0 1 2\n", 3, 1), "m.ply").ok()) << wrong;
+}
+
 TEST(Ply, concavePolygonsKeepTheirArea) {
   const auto areaOf = [](const TriMesh& mesh, bool& folds) {
     double area = 0;
