@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/scene/RecipeFile.h"
 
+#include <algorithm>
+
 #include "simcore/file/Schema.h"
 #include "simcore/scene/JointCheck.h"
 #include "simcore/scene/SceneJson.h"
@@ -97,6 +99,33 @@ Joint withoutMeshes(const JointRecipe& recipe, const JsonValue& json) {
   return joint;
 }
 
+/// Letters (of any script), digits, '-', '_' and '.', as the schema says: ids become names of files, of columns and of groups.
+bool isId(const std::string& id) {
+  if (id == "." || id == "..") return false;
+  return std::all_of(id.begin(), id.end(), [](char c) {
+    return static_cast<unsigned char>(c) >= 0x80 || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' || c == '.';
+  });
+}
+
+/// Every id that the recipe gives, wherever it stands.
+Result<Done> checkIds(const JsonValue& json, const std::string& pointer, const std::string& file) {
+  for (std::size_t i = 0; i < json.items().size(); ++i)
+    if (const auto good = checkIds(json.items()[i], pointerTo(pointer, i), file); !good) return good;
+  for (const auto& [key, value] : json.members()) {
+    if (key == "id" && value.isText() && !isId(value.text())) {
+      std::string shown = value.text();
+      for (char& c : shown)
+        if (static_cast<unsigned char>(c) < ' ') c = ' ';  // a sentence is one line
+      return Error{Fault::SchemaMismatch,
+                   {file, pointer + "/id", {}, {}},
+                   {"“" + shown + "” is no id, which has letters, digits, “-”, “_” and “.” only; what people read goes into “name”"},
+                   "id"};
+    }
+    if (const auto good = checkIds(value, pointerTo(pointer, key), file); !good) return good;
+  }
+  return Done{};
+}
+
 Result<Done> checkWishes(const PartRecipe& part, const std::string& pointer, const std::string& file) {
   const bool wished = part.tetrahedra > 0 || part.cellSize > 0;
   const auto fail = [&](const char* what) {
@@ -113,6 +142,7 @@ Result<Done> checkWishes(const PartRecipe& part, const std::string& pointer, con
 Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshes, std::vector<SourceReport>* reports) {
   const Result<JsonValue> json = readDocument(path, Schema::Recipe);
   if (!json) return json.error();
+  if (const auto good = checkIds(*json, "", path); !good) return good.error();
   JointRecipe recipe = toRecipe(*json);
   if (const auto good = joint_check::checkValues(withoutMeshes(recipe, *json), path); !good) return good.error();
   RecipeSurfaces surfaces(meshes, (*json)["source"]);

@@ -103,6 +103,11 @@ TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
         Slip{"\"regionA\": \"foot\"", "\"regionA\": \"hand\"", Fault::UnknownId, "/couplings/0/regionA", "c"},
         Slip{"\"regionA\": \"foot\"", "\"regionA\": \"foot\", \"within\": 0.001", Fault::SchemaMismatch, "/couplings/0", ""},
         Slip{"\"partB\": \"humerus\", \"regionA\": \"foot\"", "\"partB\": \"ulna\", \"within\": 0.001", Fault::UnknownId, "/couplings/0/partB", "c"},
+        Slip{"\"id\": \"humerus\"", "\"id\": \"left humerus\"", Fault::SchemaMismatch, "/parts/0/id", ""},
+        Slip{"\"id\": \"foot\"", "\"id\": \"a/b\"", Fault::SchemaMismatch, "/parts/1/regions/0/id", ""},
+        Slip{"\"id\": \"c\"", "\"id\": \"c\\n\"", Fault::SchemaMismatch, "/couplings/0/id", ""},
+        Slip{"\"id\": \"l\"", "\"id\": \"..\"", Fault::SchemaMismatch, "/parts/1/landmarks/0/id", ""},
+        Slip{"\"id\": \"r\"", "\"id\": \"say \\\"r\\\"\"", Fault::SchemaMismatch, "/id", ""},
         Slip{"\"clearance\": 0.001", "\"clearance\": -1", Fault::OutOfRange, "/clearance", ""}}) {
     const auto recipe = prepared.load(slip.what, slip.by);
     ASSERT_FALSE(recipe.ok()) << slip.by;
@@ -111,6 +116,7 @@ TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
     EXPECT_EQ(recipe.error().place.part, slip.part) << slip.by;
     EXPECT_EQ(recipe.error().place.file, prepared.folder.path("r.json"));
   }
+  EXPECT_TRUE(prepared.load("\"id\": \"r\"", "\"id\": \"Schulter_links-2.1-ä-肩\"").ok());
   const auto missing = prepared.load("sub/c.ply", "sub/d.ply");
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().fault, Fault::FileMissing);
