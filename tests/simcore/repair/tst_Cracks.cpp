@@ -72,7 +72,9 @@ TEST(Cracks, aSlitBodyIsNoSheetAndIsZipped) {
         ASSERT_TRUE(mended.ok());
         EXPECT_TRUE(healthOf(mended->mesh).healthy()) << last << " " << width << " " << uneven;
         EXPECT_NEAR(enclosedVolume(mended->mesh) / volume, 1, 2e-3) << last << " " << width << " " << uneven;
-        if (!uneven) EXPECT_EQ(mended->mesh.triangles.size(), whole.triangles.size()) << "zipped, no slivers: " << last << " " << width;
+        if (!uneven) {
+          EXPECT_EQ(mended->mesh.triangles.size(), whole.triangles.size()) << "zipped, no slivers: " << last << " " << width;
+        }
       }
 }
 
