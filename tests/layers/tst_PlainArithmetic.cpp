@@ -21,7 +21,8 @@ const std::regex& inexact() {
   return pattern;
 }
 
-/// By object file: what it calls, and why no state depends on it.
+/// By object file: what it calls, and why no state depends on it. Those files are compiled alone (glenoid_alone); where a call comes
+/// out of several that are compiled together, a build with -DGLENOID_UNITY=OFF tells which.
 const std::map<std::string, std::string>& allowed() {
   static const std::map<std::string, std::string> list = {
       {"TetTools.cpp.o cbrt", "a figure of a mesh's quality, for people"},
@@ -71,10 +72,13 @@ std::string listing() {
 TEST(PlainArithmetic, theLibrariesAreRead) {
   // What is known to be there: the rotations of elements take roots or allocate, the step reads the clock.
   const std::string text = listing();
-  EXPECT_NE(text.find("Stepper.cpp.o"), std::string::npos);
+  std::istringstream archives(GLENOID_STATE_ARCHIVES);
+  std::string archive;
+  int count = 0;
+  for (; std::getline(archives, archive, '|'); ++count) EXPECT_NE(text.find(archive + ":"), std::string::npos) << archive;
+  EXPECT_GT(count, 10);
   EXPECT_NE(text.find("clock_gettime"), std::string::npos);
-  EXPECT_NE(text.find("RigidObject.cpp.o"), std::string::npos);
-  EXPECT_NE(text.find("HandInput.cpp.o"), std::string::npos);
+  EXPECT_NE(text.find("TetTools.cpp.o"), std::string::npos);
 }
 
 TEST(PlainArithmetic, noStateDependsOnAFunctionThatIsRoundedByTheProcessor) {
