@@ -54,11 +54,11 @@ bool leastArea(const TriMesh& mesh, const std::vector<int>& loop, const std::uno
 
 }  // namespace
 
-TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& left, double& longestLeft) {
+TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& left, double& longestLeft, bool zip) {
   // Rims that share a vertex come apart first; each is then a simple loop.
   long doubled = 0, joined = 0;
   const TriMesh apart = withoutCrowdedEdges(mesh, doubled);
-  TriMesh out = zipped(apart, joined);
+  TriMesh out = zip ? zipped(apart, joined) : apart;
   const auto sides = sidesOf(out.triangles);
   const Shells shells = findShells(out, sides);
   std::vector<int> shellOf(out.vertices.size(), -1);
@@ -74,7 +74,7 @@ TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& l
   for (const auto& loop : rims.loops) {
     const double length = lengthOf(out, loop);
     if (shells.list[shellOf[loop[0]]].sheet()) continue;
-    const bool crack = isCrack(out, loop, shells.list[shellOf[loop[0]]].area);
+    const bool crack = zip && isCrack(out, loop, shells.list[shellOf[loop[0]]].area);
     if (longest > 0 && length > longest && !crack) {
       ++left;
       longestLeft = std::max(longestLeft, length);
@@ -140,7 +140,7 @@ TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left) {
     tried = withTriangles(tried, keep);
     long filled = 0, holes = 0;
     double length = 0;
-    tried = withoutHoles(tried, 0, filled, holes, length);
+    tried = withoutHoles(tried, 0, filled, holes, length, false);
     long flat = 0, flatLeft = 0;
     tried = withoutDegenerate(tried, flat, flatLeft);
     const std::size_t cuts = selfCuts(tried).size();
