@@ -21,9 +21,10 @@ TriMesh orientedAlike(const TriMesh& mesh, long& changed, long& left);
 /// Shells turned as wantedSigns asks. `changed`: shells turned.
 TriMesh turnedOutwards(const TriMesh& mesh, long& changed);
 
-/// Zips cracks (Cracks.h; only with `zip`: a hole that a repair has cut is none, however narrow), then puts lids over the rims of open edges, at most `longest` around (0: any). Rims of up to 150 edges get the triangles of
-/// least area between their own vertices, longer ones a fan from their middle. Sheets keep their rims. `changed`: rims
-/// closed; `left`: those that stay; `longestLeft`: length of the longest of these.
+/// Zips cracks (Cracks.h; only with `zip`: a hole that a repair has cut is none, however narrow), then puts lids over the rims of
+/// open edges, at most `longest` around (0: any). Rims of up to 150 edges get the triangles of least area between their own
+/// vertices, longer ones a fan from their middle, long cracks ears. Sheets keep their rims. `changed`: rims closed; `left`: those
+/// that stay; `longestLeft`: length of the longest of these.
 /// Source: Barequet and Sharir, "Filling gaps in the boundary of a polyhedron", 1995.
 TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& left, double& longestLeft, bool zip = true);
 
