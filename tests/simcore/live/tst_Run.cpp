@@ -95,7 +95,9 @@ TEST(Run, aLimitOfTimeEndsItWithTheReportUpToThere) {
   // The last step may end late.
   options.steps = 1;
   options.timeLimit = 1e-9;
-  for (const Notice& each : runScenario(model, options)->report.notices) EXPECT_NE(each.kind, NoticeKind::TimeUp);
+  const auto one = runScenario(model, options);
+  ASSERT_TRUE(one);
+  for (const Notice& each : one->report.notices) EXPECT_NE(each.kind, NoticeKind::TimeUp);
 }
 
 TEST(Run, aToolThatIsPressedInPressesBack) {
