@@ -108,19 +108,19 @@ TEST(MakeDents, aTableHoldsWhatTheFineSolveGivesMoreAndIsTheSameAgain) {
 }
 
 TEST(MakeDents, tissueThinnerThanTheFineCellsHasNone) {
-  for (const double height : {0.1e-3, 0.2e-3, 0.3e-3, 0.45e-3, 1e-3}) {
+  for (const double height : {0.1e-3, 0.2e-3, 0.3e-3, 1e-3}) {
     Joint joint = gluedBlock(0.4, height);
-    const auto made = makeDents(joint, {1.5e-3, 4, ""});
+    const auto made = makeDents(joint, {1.5e-3, 2, ""});
     ASSERT_TRUE(made.ok()) << height << " " << toLogLine(made.error());
     ASSERT_EQ(made->size(), 1u);
     EXPECT_EQ((*made)[0].part, 1);
-    EXPECT_EQ((*made)[0].count, 4);
+    EXPECT_EQ((*made)[0].count, 2);
     ASSERT_TRUE(joint.parts[1].dents) << height;
-    if (height < 0.25e-3) EXPECT_EQ((*made)[0].tooThin, 4) << height;
+    if (height < 0.25e-3) EXPECT_EQ((*made)[0].tooThin, 2) << height;
     if (height >= 1e-3) EXPECT_EQ((*made)[0].tooThin, 0) << height;
     for (const DentSample& sample : joint.parts[1].dents->samples) {
       if (const double y = sample.at_W.y(); y > -1e-9 || y < -height + 1e-9) EXPECT_LE(sample.depthMost, 0.41 * height) << "from above, not at the rim";
-      if ((*made)[0].tooThin == 4) EXPECT_EQ(sample.compliance, 0);
+      if ((*made)[0].tooThin == 2) EXPECT_EQ(sample.compliance, 0);
     }
   }
 }
