@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -23,6 +24,14 @@ struct BrickProblem {
 
 /// Whether the program is installed here.
 bool hasCalculix();
+
+/// Leaves a test out, saying so, where the program is not installed. tests/run.sh installs it, so in continuous integration
+/// (CI is set) its absence is a failure.
+#define NEEDS_CALCULIX()                                                                                      \
+  if (!hasCalculix()) {                                                                                       \
+    ASSERT_EQ(std::getenv("CI"), nullptr) << "CalculiX (calculix-ccx) should have been installed";                \
+    GTEST_SKIP() << "CalculiX (calculix-ccx) is not installed";                                               \
+  }
 
 /// Stress (mean of the elements around) at the node at (s, t, z), 0 … 1 each; nothing where the program failed.
 std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z);

@@ -73,7 +73,7 @@ TEST(Truth, thickPlateOfNafemsLe10) {
 }
 
 TEST(Truth, anotherProgramHasTheSameStressOfBothRings) {
-  if (!hasCalculix()) GTEST_SKIP() << "CalculiX (calculix-ccx) is not installed";
+  NEEDS_CALCULIX()
   BrickProblem membrane{quarterMap, 24, 16, 1, 0.1, 210e9, 0.3, {}, 'd', -10e6};
   membrane.held = [](double s, double, double z, int axis) { return (axis == 0 && s == 0) || (axis == 1 && s == 1) || (axis == 2 && z == 0); };
   BrickProblem plate{quarterMap, 24, 16, 8, 0.6, 210e9, 0.3, {}, '+', 1e6};

@@ -28,7 +28,7 @@ std::vector<double> byCells(double slope, double poisson, double cell) {
 }
 
 TEST(TwistedBand, twistedCellsSwingAsBricksOfAnotherProgramDo) {
-  if (!hasCalculix()) GTEST_SKIP() << "CalculiX (calculix-ccx) is not installed";
+  NEEDS_CALCULIX()
   for (const double poisson : {0.0, 0.45}) {
     std::vector<double> straight;  // of flat cells of 8 mm, over the bricks'
     for (const double slope : {0.0, 0.7}) {
