@@ -4,8 +4,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
-#include <optional>
+#include <limits>
 
+#include "simcore/spatial/BoxTree.h"
+#include "simcore/spatial/TrianglePoint.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
@@ -13,14 +15,27 @@ namespace {
 
 constexpr double kInside = -1e-12;
 
-/// Every face of every tetrahedron, four in a row: triangle / 4 is the tetrahedron.
-TriMesh allFaces(const TetMesh& mesh) {
-  TriMesh faces;
-  faces.vertices = mesh.nodes;
-  for (const auto& t : mesh.tets)
-    for (const std::array<int, 3> f : {std::array{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}})
-      faces.triangles.push_back({t[f[0]], t[f[1]], t[f[2]]});
-  return faces;
+/// The tetrahedron with the face nearest to a point; of equals the first.
+int nearestTet(const TetMesh& mesh, const BoxTree& tree, const Vec3& p) {
+  int best = 0, bestFace = -1;
+  tree.nearest(p, std::numeric_limits<double>::infinity(), [&](int tet, double least) {
+    const auto& t = mesh.tets[static_cast<std::size_t>(tet)];
+    double nearest = least;
+    int face = 4 * tet;
+    for (const std::array<std::size_t, 3> f : {std::array<std::size_t, 3>{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}) {
+      const Vec3 &a = mesh.nodes[t[f[0]]], &b = mesh.nodes[t[f[1]]], &c = mesh.nodes[t[f[2]]];
+      const Vec3 w = nearestBarycentric(p, a, b, c);
+      const double d = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+      if (d < nearest || (d == nearest && bestFace >= 0 && face < bestFace)) {
+        nearest = d;
+        best = tet;
+        bestFace = face;
+      }
+      ++face;
+    }
+    return nearest;
+  });
+  return best;
 }
 
 }  // namespace
@@ -39,7 +54,7 @@ std::array<double, 4> barycentricOf(const TetMesh& mesh, int tet, const Vec3& p)
 std::vector<int> tetsOf(const TetMesh& mesh, std::span<const Vec3> points_W) {
   const int n = static_cast<int>(mesh.tets.size());
   assert(n > 0);
-  std::vector<Box3> boxes(n);
+  std::vector<Box3> boxes(static_cast<std::size_t>(n));
   Box3 all;
   for (int t = 0; t < n; ++t) {
     for (const int v : mesh.tets[t]) boxes[t].extend(mesh.nodes[v]);
@@ -47,23 +62,23 @@ std::vector<int> tetsOf(const TetMesh& mesh, std::span<const Vec3> points_W) {
   }
   const Vec3 margin = Vec3::Constant(1e-9 * all.diagonal().norm());
   for (Box3& box : boxes) box = Box3(box.min() - margin, box.max() + margin);
-  std::optional<TriangleTree> faces;  // only when a point lies outside
-  std::vector<int> found;
+  const BoxTree tree(boxes);
+  std::vector<int> found, near;
   found.reserve(points_W.size());
   for (const Vec3& p : points_W) {
+    near.clear();
+    tree.walk([&](const BoxTree::Node& node) { return BoxTree::squaredDistance(node, p) == 0; },
+              [&](int t) { near.push_back(t); });
+    std::sort(near.begin(), near.end());
     int best = -1;
     double bestWeight = kInside;
-    for (int t = 0; t < n; ++t) {
+    for (const int t : near) {
       if (!boxes[t].contains(p)) continue;
       const auto w = barycentricOf(mesh, t, p);
       const double least = *std::min_element(w.begin(), w.end());
       if (least > bestWeight || (best < 0 && least >= kInside)) best = t, bestWeight = least;
     }
-    if (best < 0) {
-      if (!faces) faces.emplace(allFaces(mesh));
-      best = std::max(faces->closest(p).triangle, 0) / 4;
-    }
-    found.push_back(best);
+    found.push_back(best >= 0 ? best : nearestTet(mesh, tree, p));
   }
   return found;
 }
