@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simcore/author/RigidAdvice.h"
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
 #include "simcore/scene/UnusedSettings.h"
@@ -37,7 +38,7 @@ enum class ProblemKind {
   CageCrushes,         ///< count: tetrahedra below the limit; element: the worst; figure: its volume at the start over
                        ///< that at rest; wanted: part of the handles' way that keeps the limit
   Overlap,             ///< count: pairs of triangles at the start; figure: deepest vertex, m; element: a triangle of
-                       ///< `part`; parts: those of the two that are soft and can be moved by cages
+                       ///< `part`; parts: those of the two that are soft and can be moved by cages; `rigid` where none is
   Swallowed,           ///< `part` lies wholly inside `other` at the start; figure: deepest vertex, m
   ProofMissing,        ///< the start is free of overlap, and the joint does not say so
   ProofStale,          ///< the joint says so of other meshes, cages or exclusions
@@ -64,6 +65,7 @@ struct Problem {
   std::vector<std::string> parts;
   std::optional<Error> error;
   std::optional<UnusedSetting> unused;
+  std::optional<RigidAdvice> rigid;
 };
 
 }  // namespace glenoid
