@@ -3297,6 +3297,10 @@
         <source>Simplify “%1” and “%2” again, to %3 triangles each</source>
         <translation>Simplificar de nuevo «%1» y «%2», a %3 triángulos cada una</translation>
     </message>
+    <message>
+        <source>The spring that holds “%1” would swing %2 times a second, and steps this long damp it out at once. Steps of %3 ms or less show it swing; otherwise soften the spring or give it the damping that is meant.</source>
+        <translation>El muelle que sujeta «%1» oscilaría %2 veces por segundo, y pasos tan largos lo amortiguan de inmediato. Con pasos de %3 ms o menos se lo ve oscilar; si no, ablande el muelle o dele la amortiguación que se pretende.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::ProblemsPanel</name>

@@ -136,6 +136,10 @@ QString ProblemSentences::what() const {
       return filled(tr("“%1” hangs, and the weight below its weakest part will stretch that to %2 times its length, if nothing lies "
                        "under it. Couple its other end too, or give that part a stiffer material (%3 kPa or more)."),
                     {part, QLocale().toString(p.figure, 'g', 3), QLocale().toString(1e-3 * p.wanted, 'g', 2)});
+    case ProblemKind::StepTooLong:
+      return filled(tr("The spring that holds “%1” would swing %2 times a second, and steps this long damp it out at once. Steps of %3 ms or "
+                       "less show it swing; otherwise soften the spring or give it the damping that is meant."),
+                    {part, number(p.figure), QLocale().toString(1e3 * p.wanted, 'g', 2)});
     case ProblemKind::CageUnusable:
       return filled(tr("The cage around “%1” cannot be used. %2"), {part, p.error ? glenoid::sentenceOf(*p.error) : QString()});
     case ProblemKind::CageCrushes:
@@ -211,6 +215,7 @@ QString ProblemSentences::fix() const {
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
+    case ProblemKind::StepTooLong:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: break;
   }

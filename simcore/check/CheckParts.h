@@ -46,6 +46,7 @@ void checkUnits(Work& work);
 void checkCouplings(Work& work);
 void checkIslands(Work& work);
 void checkWeight(Work& work);
+void checkSteps(Work& work);
 void checkAtStart(Work& work);
 
 /// Least volume of a tetrahedron with its nodes at `start` over its volume at rest, and which one.

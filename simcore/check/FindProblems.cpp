@@ -31,6 +31,7 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::PartLoose: return "part-loose";
     case ProblemKind::IslandLoose: return "island-loose";
     case ProblemKind::WeightOverstretches: return "weight-overstretches";
+    case ProblemKind::StepTooLong: return "step-too-long";
     case ProblemKind::CageUnusable: return "cage-unusable";
     case ProblemKind::CageCrushes: return "cage-crushes";
     case ProblemKind::Overlap: return "overlap";
@@ -86,6 +87,7 @@ Result<CheckReport> ProblemFinder::find(const Joint& joint, const Scenario* scen
   checkCouplings(work);
   checkIslands(work);
   checkWeight(work);
+  checkSteps(work);
   checkAtStart(work);
   if (!work.stopped) m_advice = std::move(work.adviceNow);
   if (scenario)

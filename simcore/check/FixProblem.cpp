@@ -260,6 +260,7 @@ bool canFix(const Problem& problem) {
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
+    case ProblemKind::StepTooLong:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: return false;
   }

@@ -34,6 +34,8 @@ enum class ProblemKind {
   IslandLoose,         ///< parts coupled to each other and to nothing that stays; parts: which
   WeightOverstretches, ///< a soft part hangs, and the weight below stretches it; figure: to how many times its length, in the mean over
                        ///< the weakest tenth of its height; wanted: Young's modulus that would keep that at 1.2, Pa
+  StepTooLong,         ///< a spring that holds a part swings faster than steps can show, so they damp it out; figure: how often, Hz;
+                       ///< wanted: a step that would show it, s
   CageUnusable,        ///< `error` says why
   CageCrushes,         ///< count: tetrahedra below the limit; element: the worst; figure: its volume at the start over
                        ///< that at rest; wanted: part of the handles' way that keeps the limit

@@ -36,7 +36,7 @@ Result<Done> readZip(const std::string& path, const ZipSink& sink, const ZipLimi
 bool isSafeEntryName(std::string_view name);
 
 /// Writes the archive as a whole or not at all. Times are left out: the same entries give the same bytes. Fails as writeWholeFile
-/// does; Internal where libzip does.
+/// does; Internal where libzip does (as for no entries at all).
 Result<Done> writeZip(const std::string& path, const std::vector<ZipEntry>& entries);
 
 }  // namespace glenoid

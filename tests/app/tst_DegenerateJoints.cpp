@@ -45,9 +45,11 @@ TEST(DegenerateJoints, everyCommandEndsInASentence) {
   for (unsigned seed = 1; seed <= count; ++seed) {
     const fs::path joint = base / ("n" + std::to_string(seed) + ".joint");
     const std::string what = writeDegenerateJoint(seed, joint), word = "'" + joint.string() + "'", out = "'" + (base / "out").string();
+    const fs::path scenario = base / ("n" + std::to_string(seed) + ".scenario.json");
+    writeText(scenario, "{\"schemaVersion\": 2, \"id\": \"n\", \"name\": \"N\", \"joint\": \"" + joint.filename().string() + "\"}");
     std::vector<std::string> commands{"joint check " + word, "joint info " + word, "joint dents " + word + " --out " + out + ".joint'",
                                       "export " + word + " --format " + formats[seed % formats.size()] + " --out " + out + "." + formats[seed % formats.size()] + "'",
-                                      "run " + word + " --steps 3", "joint pack " + word + " " + out + ".jointz'"};
+                                      "run '" + scenario.string() + "' --steps 3", "joint pack " + word + " " + out + ".jointz'"};
     if (everything()) commands.push_back("joint check " + word + " --json"), commands.push_back("joint info " + word + " --json");
     for (const std::string& command : commands) tryCommand(command, what, seed);
     if (::testing::Test::HasFailure()) continue;  // what failed can be looked at

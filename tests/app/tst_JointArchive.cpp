@@ -54,7 +54,10 @@ TEST(JointArchive, everyCommandTakesItWhereItTakesAFolder) {
       EXPECT_EQ(outcome.out, folder.out) << command << word;
     }
     EXPECT_EQ(glenoidProgram("export " + quoted(word) + " --format glb --out " + glb).status, 0);
-    EXPECT_EQ(glenoidProgram("run " + quoted(word) + " --steps 2").status, 0);
+    EXPECT_EQ(glenoidProgram("render " + quoted(word) + " --size 64x64 --out " + quoted(packed.folder / "out.png")).status, 0);
+    const Outcome run = glenoidProgram("run " + quoted(word) + " --steps 2");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_NE(run.err.find("is a joint, and a scenario is wanted"), std::string::npos) << run.err;
   }
   writeText(packed.folder / "a.scenario.json", R"({"schemaVersion": 2, "id": "a", "name": "A", "joint": "test.jointz"})");
   EXPECT_EQ(glenoidProgram("run " + quoted(packed.folder / "a.scenario.json") + " --steps 2").status, 0);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kBall = 0.024, kRoom = 0.0005;  // m
 
 TriMesh surfaceOf(const ScalarField& field) {
-  TriMesh mesh = isosurface(field, Box3(Vec3::Constant(-0.033), Vec3::Constant(0.033)), 0.0015);
+  TriMesh mesh = isosurface(field, Box3(Vec3::Constant(-0.033), Vec3::Constant(0.033)), 0.0025);
   for (Vec3& x : mesh.vertices)  // onto the shape, so that its chords keep half of the room
     for (int i = 0; i < 4; ++i) {
       Vec3 gradient;

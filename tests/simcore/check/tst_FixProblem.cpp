@@ -198,7 +198,7 @@ Joint coarseHip() {
     part.id = part.name = id;
     part.number = static_cast<int>(joint.parts.size()) + 1;
     part.materials = {{"bone", ""}};
-    part.visual = std::make_shared<const TriMesh>(isosurface(field, Box3(Vec3::Constant(-0.033), Vec3::Constant(0.033)), 0.0012));
+    part.visual = std::make_shared<const TriMesh>(isosurface(field, Box3(Vec3::Constant(-0.033), Vec3::Constant(0.033)), 0.0025));
     part.collision = std::make_shared<const TriMesh>(*simplify(*part.visual, 200));
     joint.parts.push_back(part);
   };
