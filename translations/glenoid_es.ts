@@ -407,6 +407,42 @@
         <source>Tuberositas deltoidea (deltoid tuberosity)</source>
         <translation>Tuberositas deltoidea (tuberosidad deltoidea)</translation>
     </message>
+    <message>
+        <source>Collateral ligament</source>
+        <translation>Ligamento colateral</translation>
+    </message>
+    <message>
+        <source>Femur</source>
+        <translation>Fémur</translation>
+    </message>
+    <message>
+        <source>Lateral collateral ligament</source>
+        <translation>Ligamento colateral lateral</translation>
+    </message>
+    <message>
+        <source>Medial collateral ligament</source>
+        <translation>Ligamento colateral medial</translation>
+    </message>
+    <message>
+        <source>Right elbow</source>
+        <translation>Codo derecho</translation>
+    </message>
+    <message>
+        <source>Right knee</source>
+        <translation>Rodilla derecha</translation>
+    </message>
+    <message>
+        <source>Tibia and fibula</source>
+        <translation>Tibia y peroné</translation>
+    </message>
+    <message>
+        <source>Ulna</source>
+        <translation>Cúbito</translation>
+    </message>
+    <message>
+        <source>Ulnar collateral ligament</source>
+        <translation>Ligamento colateral cubital</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::AuthorDocks</name>

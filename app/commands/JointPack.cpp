@@ -47,9 +47,11 @@ Result<Done> packJointFile(const std::string& word, const std::string& archive) 
   if (!isJointArchive(archive)) return usageError("a packed joint is called NAME.jointz, not “" + archive + "”");
   const Result<std::string> folder = resolveJoint(word, "", resourceRoot());
   if (!folder) return folder.error();
-  const std::filesystem::path path(*folder);
-  if (const auto packed = packJoint(path.filename() == "joint.json" ? path.parent_path().string() : *folder, archive); !packed) return packed;
-  std::printf("%s: %ju bytes\n", archive.c_str(), static_cast<std::uintmax_t>(std::filesystem::file_size(archive)));
+  std::filesystem::path path(*folder);
+  if (path.filename() == "joint.json") path = path.has_parent_path() ? path.parent_path() : ".";
+  if (const auto packed = packJoint(path.string(), archive); !packed) return packed;
+  std::error_code failed;
+  std::printf("%s: %ju bytes\n", archive.c_str(), static_cast<std::uintmax_t>(std::filesystem::file_size(archive, failed)));
   return Done{};
 }
 
