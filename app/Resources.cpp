@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "simcore/scene/JointArchive.h"
 #include "simcore/scene/ResourcePaths.h"
 
 namespace glenoid {
@@ -35,7 +36,7 @@ bool namesJoint(const std::string& word) {
   std::error_code ignored;
   fs::path path(word);
   if (path.filename().empty()) path = path.parent_path();  // "x.joint/"
-  return path.extension() == ".joint" || fs::is_directory(path, ignored);
+  return path.extension() == ".joint" || path.filename() == "joint.json" || isJointArchive(word) || fs::is_directory(path, ignored);
 }
 
 }  // namespace glenoid

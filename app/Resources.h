@@ -9,7 +9,7 @@ namespace glenoid {
 const std::string& resourceRoot();
 
 /// Whether the word of the command line names a joint rather than a scenario: a built-in joint of that name, a
-/// folder, or something that ends in ".joint".
+/// folder, its joint.json, or something that ends in ".joint" or ".jointz".
 bool namesJoint(const std::string& word);
 
 }  // namespace glenoid

@@ -43,7 +43,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   Selection selection;
   DisplayState display;
   PlayLink link(document);
-  MainWindow window({document, link, display, selection}, probeGraphics(), loadScene, saveScene);
+  MainWindow window({document, link, display, selection}, probeGraphics(), loadScene, saveScene, startScene);
   QObject::connect(&window, &MainWindow::languageWanted, [&settings](const QString& code) {
     setLanguage(code);
     settings.setValue(QStringLiteral("language"), code);

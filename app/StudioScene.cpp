@@ -3,9 +3,13 @@
 
 #include <filesystem>
 
+#include "app/Resources.h"
 #include "app/commands/OpenScene.h"
+#include "simcore/author/BuildJoint.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/scene/RecipeFile.h"
 #include "simcore/scene/ScenarioFile.h"
+#include "simcore/starter/Starter.h"
 
 namespace glenoid {
 namespace {
@@ -56,6 +60,20 @@ Result<Scene> loadScene(const std::string& word) {
   if (!input.ok()) return input.error();
   if (*input) scene.input = std::make_shared<const Recording>(std::move(**input));
   return scene;
+}
+
+Result<std::string> startScene(const std::string& kind, const std::string& folder, const std::function<bool(double)>& goOn) {
+  const StarterKind* const starter = findStarter(kind);
+  if (!starter) return Error{Fault::UnknownId, {}, {kind, "starter"}, "new joint"};
+  constexpr double kMade = 0.4;  // of the time, for the surfaces
+  const auto files = saveStarter(*starter, resourceRoot(), folder);
+  if (!files) return files.error();
+  const auto recipe = loadRecipe(files->recipe, files->meshes);
+  if (!recipe) return recipe.error();
+  const auto joint = buildJoint(*recipe, [&](const std::string&, double done) { return !goOn || goOn(kMade + (1 - kMade) * done); });
+  if (!joint) return joint.error();
+  if (const auto saved = saveJoint(*joint, files->joint); !saved) return saved.error();
+  return files->scenario;
 }
 
 Result<Done> saveScene(const Scene& scene, const std::string& path) {

@@ -407,6 +407,42 @@
         <source>Tuberositas deltoidea (deltoid tuberosity)</source>
         <translation>Tuberositas deltoidea (tuberosidad deltoidea)</translation>
     </message>
+    <message>
+        <source>Collateral ligament</source>
+        <translation>Ligamento colateral</translation>
+    </message>
+    <message>
+        <source>Femur</source>
+        <translation>Fémur</translation>
+    </message>
+    <message>
+        <source>Lateral collateral ligament</source>
+        <translation>Ligamento colateral lateral</translation>
+    </message>
+    <message>
+        <source>Medial collateral ligament</source>
+        <translation>Ligamento colateral medial</translation>
+    </message>
+    <message>
+        <source>Right elbow</source>
+        <translation>Codo derecho</translation>
+    </message>
+    <message>
+        <source>Right knee</source>
+        <translation>Rodilla derecha</translation>
+    </message>
+    <message>
+        <source>Tibia and fibula</source>
+        <translation>Tibia y peroné</translation>
+    </message>
+    <message>
+        <source>Ulna</source>
+        <translation>Cúbito</translation>
+    </message>
+    <message>
+        <source>Ulnar collateral ligament</source>
+        <translation>Ligamento colateral cubital</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::AuthorDocks</name>
@@ -2418,10 +2454,6 @@
         <translation>&amp;Abrir…</translation>
     </message>
     <message>
-        <source>Open a scenario file</source>
-        <translation>Abrir un archivo de escenario</translation>
-    </message>
-    <message>
         <source>Open a &amp;joint…</source>
         <translation>Abrir una a&amp;rticulación…</translation>
     </message>
@@ -2630,10 +2662,6 @@
         <translation>Abrir un escenario</translation>
     </message>
     <message>
-        <source>Scenarios (*.scenario.json);;All files (*)</source>
-        <translation>Escenarios (*.scenario.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Open a joint folder</source>
         <translation>Abrir una carpeta de articulación</translation>
     </message>
@@ -2783,6 +2811,42 @@
     <message>
         <source>Colour by stress, strain, pressure, contact force, and off again</source>
         <translation>Colorea según tensión, deformación, presión, fuerza de contacto, y otra vez nada</translation>
+    </message>
+    <message>
+        <source>New joint from a &amp;template</source>
+        <translation>Articulación nueva a partir de una p&amp;lantilla</translation>
+    </message>
+    <message>
+        <source>&amp;Elbow</source>
+        <translation>&amp;Codo</translation>
+    </message>
+    <message>
+        <source>&amp;Knee</source>
+        <translation>&amp;Rodilla</translation>
+    </message>
+    <message>
+        <source>Make a small joint with recipe, scenario and meshes, to be edited</source>
+        <translation>Crear una articulación pequeña con receta, escenario y mallas, para modificarla</translation>
+    </message>
+    <message>
+        <source>Open a scenario, or a joint packed in one file</source>
+        <translation>Abrir un escenario, o una articulación empaquetada en un archivo</translation>
+    </message>
+    <message>
+        <source>Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)</source>
+        <translation>Escenarios y articulaciones (*.scenario.json *.jointz joint.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Make a folder for the new joint</source>
+        <translation>Crear una carpeta para la articulación nueva</translation>
+    </message>
+    <message>
+        <source>New joint in %1</source>
+        <translation>Articulación nueva en %1</translation>
+    </message>
+    <message>
+        <source>There is something in %1 already. Choose a new folder.</source>
+        <translation>Ya hay algo en %1. Elija una carpeta nueva.</translation>
     </message>
 </context>
 <context>
@@ -3244,6 +3308,34 @@
     <message>
         <source>“%1” hangs, and the weight below its weakest part will stretch that to %2 times its length, if nothing lies under it. Couple its other end too, or give that part a stiffer material (%3 kPa or more).</source>
         <translation>«%1» cuelga, y el peso bajo su parte más débil la estirará a %2 veces su longitud, si nada la sostiene por debajo. Una también su otro extremo, o dé a esa parte un material más rígido (%3 kPa o más).</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are rigid and cut each other at the start (pairs of triangles: %3, deepest %4 mm), as their visual surfaces do. Move one of them, or switch off their contact.</source>
+        <translation>«%1» y «%2» son rígidas y se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm), igual que sus superficies visuales. Mueva una de ellas o desactive su contacto.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest %4 mm) where the visual ones do not. With %5 triangles each they do not cut, nor as they are with a clearance of %6 mm in the recipe.</source>
+        <translation>«%1» y «%2» son rígidas, y sus superficies de colisión se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm) donde las visuales no lo hacen. Con %5 triángulos cada una no se cortan, ni tal como están con una holgura («clearance») de %6 mm en la receta.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest %4 mm) where the visual ones do not. With %5 triangles each they do not cut.</source>
+        <translation>«%1» y «%2» son rígidas, y sus superficies de colisión se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm) donde las visuales no lo hacen. Con %5 triángulos cada una no se cortan.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest %4 mm) where the visual ones do not. With a clearance of %6 mm in the recipe they do not cut.</source>
+        <translation>«%1» y «%2» son rígidas, y sus superficies de colisión se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm) donde las visuales no lo hacen. Con una holgura («clearance») de %6 mm en la receta no se cortan.</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are rigid and cut each other at the start (pairs of triangles: %3, deepest %4 mm); neither more triangles nor a clearance keeps them apart. Move one of them, or switch off their contact.</source>
+        <translation>«%1» y «%2» son rígidas y se cortan al comienzo (pares de triángulos: %3, profundidad máxima %4 mm); ni más triángulos ni una holgura las mantienen separadas. Mueva una de ellas o desactive su contacto.</translation>
+    </message>
+    <message>
+        <source>Simplify “%1” and “%2” again, to %3 triangles each</source>
+        <translation>Simplificar de nuevo «%1» y «%2», a %3 triángulos cada una</translation>
+    </message>
+    <message>
+        <source>The spring that holds “%1” would swing %2 times a second, and steps this long damp it out at once. Steps of %3 ms or less show it swing; otherwise soften the spring or give it the damping that is meant.</source>
+        <translation>El muelle que sujeta «%1» oscilaría %2 veces por segundo, y pasos tan largos lo amortiguan de inmediato. Con pasos de %3 ms o menos se lo ve oscilar; si no, ablande el muelle o dele la amortiguación que se pretende.</translation>
     </message>
 </context>
 <context>
@@ -3925,10 +4017,6 @@
         <translation>Restaure el archivo original o guarde de nuevo la articulación.</translation>
     </message>
     <message>
-        <source>Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.</source>
-        <translation>Use una carpeta .joint, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU o VTK.</translation>
-    </message>
-    <message>
         <source>Enlarge the region of the coupling.</source>
         <translation>Amplíe la región del acoplamiento.</translation>
     </message>
@@ -4051,6 +4139,10 @@
     <message>
         <source>Dents under a tip</source>
         <translation>Hundimiento bajo una punta</translation>
+    </message>
+    <message>
+        <source>Use a .joint folder, a .jointz file, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.</source>
+        <translation>Use una carpeta .joint, un archivo .jointz, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU o VTK.</translation>
     </message>
 </context>
 <context>

@@ -2,9 +2,11 @@
 #include "app/commands/BuildJointFile.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "app/commands/Console.h"
 #include "simcore/author/BuildJoint.h"
+#include "simcore/author/RigidAdvice.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
 
@@ -22,6 +24,19 @@ void printSources(const std::vector<SourceReport>& sources) {
   }
 }
 
+/// What was tried for two rigid parts that no cage can separate.
+void printAdvice(const Part& a, const Part& b) {
+  const RigidAdvice advice = adviseRigid(a, b);
+  if (advice.surfacesOverlap) {
+    std::printf("start:   both are rigid and their visual surfaces overlap too: move one of them, or exclude the pair\n");
+    return;
+  }
+  if (advice.triangles > 0) std::printf("start:   tried: with %d collisionTriangles each they do not cut\n", advice.triangles);
+  if (advice.clearance > 0) std::printf("start:   tried: with these and \"clearance\": %g in the recipe they do not cut\n", advice.clearance);
+  if (advice.triangles == 0 && advice.clearance == 0)
+    std::printf("start:   both are rigid, and neither more triangles nor a clearance keeps them apart: move one of them, or exclude the pair\n");
+}
+
 void printStart(const SeparationOutcome& start, const Joint& joint) {
   const StartProof& proof = start.check.proof;
   std::printf("start: %d overlaps up to %.2f mm deep before; %d sweeps moved %zu cages, surfaces by up to %.2f mm\n", start.overlapsBefore,
@@ -30,14 +45,30 @@ void printStart(const SeparationOutcome& start, const Joint& joint) {
               proof.pairs, proof.cuts, proof.visualCuts, proof.minVolumeRatio);
   for (std::size_t i = 0; i < start.movedParts.size(); ++i)
     std::printf("start: cage of %s, by up to %.2f mm\n", start.movedParts[i].c_str(), start.shifts[i] * 1e3);
-  for (const Overlap& overlap : start.check.overlaps)
-    std::printf("start: %s and %s still cut each other in %zu places, %.2f mm deep\n", joint.parts[overlap.partA].id.c_str(),
-                joint.parts[overlap.partB].id.c_str(), overlap.cuts.size(), overlap.depth * 1e3);
+  for (const Overlap& overlap : start.check.overlaps) {
+    const Part &a = joint.parts[overlap.partA], &b = joint.parts[overlap.partB];
+    std::printf("start: %s and %s still cut each other in %zu places, %.2f mm deep\n", a.id.c_str(), b.id.c_str(), overlap.cuts.size(),
+                overlap.depth * 1e3);
+    if (a.kind == PartKind::Rigid && b.kind == PartKind::Rigid) printAdvice(a, b);
+  }
+}
+
+/// Collision surfaces that push the wrong way; whether there are any.
+bool printCuts(const BuildReport& report) {
+  bool any = false;
+  for (const PartFigures& part : report.parts) {
+    if (part.collisionCuts == 0) continue;
+    any = true;
+    std::printf("%s: its collision surface cuts itself (%d pairs of triangles). More collisionTriangles may help, or a thicker surface (\"thicken\")\n",
+                part.part.c_str(), part.collisionCuts);
+  }
+  return any;
 }
 
 }  // namespace
 
-Result<Done> buildJointFile(const std::string& recipeFile, const std::string& meshes, const std::string& out) {
+Result<Done> buildJointFile(const std::string& recipeFile, const std::string& meshFolder, const std::string& out) {
+  const std::string meshes = meshFolder.empty() ? (std::filesystem::path(recipeFile).parent_path() / "meshes").string() : meshFolder;
   std::vector<SourceReport> sources;
   const Result<JointRecipe> recipe = loadRecipe(recipeFile, meshes, &sources);
   if (!recipe) return recipe.error();
@@ -60,9 +91,11 @@ Result<Done> buildJointFile(const std::string& recipeFile, const std::string& me
     std::putchar('\n');
   }
   if (report.start) printStart(*report.start, *joint);
+  const bool cuts = printCuts(report);
   std::printf("%s: hash %s\n", out.c_str(), jointHash(*joint).c_str());
   if (report.start && !report.start->check.holds())
     return Error{Fault::CheckFailed, {out, "", "", {}}, {"parts still cut each other at the start, listed above"}, "joint build"};
+  if (cuts) return Error{Fault::CheckFailed, {out, "", "", {}}, {"a collision surface cuts itself, listed above"}, "joint build"};
   return Done{};
 }
 

@@ -39,7 +39,7 @@ Result<Done> run(const Wishes& wishes) {
 void addExportCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("export", "Write a joint for other programs, and say what is lost");
   auto wishes = std::make_shared<Wishes>();
-  command->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
+  command->add_option("JOINT", wishes->joint, "A .joint folder, a .jointz file or builtin:shoulder")->required();
   command->add_option("--format", wishes->format, "msh (Gmsh), vtu (VTK), scn (SOFA), feb (FEBio) or glb (glTF)")->required();
   command->add_option("--out", wishes->out, "The file to write")->required();
   command->add_option("--part", wishes->part, "Only this part (id)");

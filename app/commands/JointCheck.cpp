@@ -48,6 +48,9 @@ Json fromProblem(const Problem& problem, const Joint& joint) {
   if (problem.count) json.set("count", problem.count);
   if (problem.figure != 0 && std::isfinite(problem.figure)) json.set("figure", problem.figure);
   if (problem.wanted != 0) json.set("wanted", problem.wanted);
+  if (problem.rigid)
+    json.set("rigid", jsonObject({{"surfacesOverlap", problem.rigid->surfacesOverlap}, {"triangles", problem.rigid->triangles},
+                                  {"clearance", problem.rigid->clearance}}));
   for (const std::string& part : problem.parts) {
     Json parts = json["parts"];
     parts.append(part);

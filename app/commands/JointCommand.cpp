@@ -8,10 +8,12 @@
 #include "app/commands/BuildJointFile.h"
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
+#include "app/commands/JointPack.h"
 #include "app/commands/JointReport.h"
 #include "app/commands/OpenScene.h"
 #include "simcore/author/MakeDents.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/starter/Starter.h"
 
 namespace glenoid {
 namespace {
@@ -76,34 +78,48 @@ Result<Done> dents(const std::string& word, const std::string& out) {
 }  // namespace
 
 void addJointCommand(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("joint", "Look at a joint, check it, or build one from surfaces");
+  CLI::App* command = app.add_subcommand("joint", "Begin a joint, build it from surfaces, look at it, check it, pack it in one file");
   command->require_subcommand(1);
   struct Wishes {
-    std::string joint, recipe, meshes, out;
+    std::string joint, recipe, meshes, out, kind = starterKinds().front().name;
     bool json = false;
   };
   auto wishes = std::make_shared<Wishes>();
   const auto finish = [&status](const Result<Done>& done) { status = done ? kDone : complain(done.error()); };
 
+  CLI::App* newCommand = command->add_subcommand("new", "Write a small joint to begin with: bones, ligaments, recipe, scenario and README");
+  newCommand->add_option("FOLDER", wishes->out, "The folder to make")->required();
+  newCommand->add_option("--kind", wishes->kind, "Which: " + starterNames())->capture_default_str();
+  newCommand->callback([=] { finish(newJoint(wishes->out, wishes->kind)); });
+
   CLI::App* infoCommand = command->add_subcommand("info", "Parts and couplings; the built-in shoulder beside the paper's Table 1");
   CLI::App* checkCommand = command->add_subcommand("check", "List what is wrong with a joint, and what to do about it");
   for (CLI::App* with : {infoCommand, checkCommand}) {
-    with->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
+    with->add_option("JOINT", wishes->joint, "A .joint folder, a .jointz file or builtin:shoulder")->required();
     with->add_flag("--json", wishes->json, "For programs");
   }
   infoCommand->callback([=] { finish(info(wishes->joint, wishes->json)); });
   checkCommand->callback([=] { finish(check(wishes->joint, wishes->json)); });
 
   CLI::App* dentsCommand = command->add_subcommand("dents", "Press every soft part finely and keep how much more it gives than its tetrahedra");
-  dentsCommand->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
-  dentsCommand->add_option("--out", wishes->out, "The .joint folder to write; may be the same")->required();
+  dentsCommand->add_option("JOINT", wishes->joint, "A .joint folder, a .jointz file or builtin:shoulder")->required();
+  dentsCommand->add_option("--out", wishes->out, "The .joint folder or .jointz file to write; may be the same")->required();
   dentsCommand->callback([=] { finish(dents(wishes->joint, wishes->out)); });
 
   CLI::App* buildCommand = command->add_subcommand("build", "Simplify, embed and bind surfaces as a recipe says");
   buildCommand->add_option("RECIPE", wishes->recipe, "A recipe, JSON")->required();
-  buildCommand->add_option("--meshes", wishes->meshes, "Folder of the surfaces it names")->required();
-  buildCommand->add_option("--out", wishes->out, "The .joint folder to write")->required();
+  buildCommand->add_option("--meshes", wishes->meshes, "Folder of the surfaces it names; without it “meshes” beside the recipe");
+  buildCommand->add_option("--out", wishes->out, "The .joint folder or .jointz file to write")->required();
   buildCommand->callback([=] { finish(buildJointFile(wishes->recipe, wishes->meshes, wishes->out)); });
+
+  CLI::App* packCommand = command->add_subcommand("pack", "A .joint folder as one .jointz file, to give away");
+  packCommand->add_option("JOINT", wishes->joint, "A .joint folder or builtin:shoulder")->required();
+  packCommand->add_option("OUT", wishes->out, "The .jointz file to write")->required();
+  packCommand->callback([=] { finish(packJointFile(wishes->joint, wishes->out)); });
+  CLI::App* unpackCommand = command->add_subcommand("unpack", "A .jointz file as a .joint folder");
+  unpackCommand->add_option("FILE", wishes->joint, "A .jointz file")->required();
+  unpackCommand->add_option("OUT", wishes->out, "The .joint folder to make")->required();
+  unpackCommand->callback([=] { finish(unpackJointFile(wishes->joint, wishes->out)); });
 }
 
 }  // namespace glenoid

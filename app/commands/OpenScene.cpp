@@ -32,6 +32,7 @@ Wish* wishNamed(Effects& effects, const std::string& name) {
 }  // namespace
 
 Result<OpenScene> openScenario(const std::string& word) {
+  if (namesJoint(word)) return usageError("“" + word + "” is a joint, and a scenario is wanted, which says who stays and what pulls");
   const Result<std::string> path = resolveScenario(word, "", resourceRoot());
   if (!path) return path.error();
   Result<Scenario> scenario = loadScenario(*path);

@@ -19,7 +19,7 @@ struct OpenScene {
   Scenario scenario;
 };
 
-/// SCENARIO of the command line: a file or "builtin:NAME". Fails as loading does.
+/// SCENARIO of the command line: a file or "builtin:NAME". Fails as loading does, with BadUsage for a joint.
 Result<OpenScene> openScenario(const std::string& word);
 
 /// JOINT of the command line: a folder or "builtin:NAME".

@@ -6,7 +6,7 @@
 namespace glenoid {
 namespace {
 
-/// As the shipped joints write them: Terminologia Anatomica, with lay words in brackets where they help.
+/// As the shipped joints and those to begin with write them: Terminologia Anatomica, with lay words in brackets where they help.
 constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Acromial part of the deltoid"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Acromion (end on the acromion)"),
@@ -39,6 +39,7 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Centrum capitis (centre of the humeral head, GH)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Clavicle"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Clavicular part of the deltoid"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Collateral ligament"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Coracoacromial ligament"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Coracohumeral ligament"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Cortical bone"),
@@ -47,6 +48,7 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Facies inferior (teres minor facet)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Facies media (infraspinatus facet)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Facies superior (supraspinatus facet)"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Femur"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Finis (end in the biceps tendon)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Finis distalis (distal end below the groove)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Fossa supraspinata (hollow above the spine)"),
@@ -62,6 +64,8 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Labrum glenoidale, basis (base on the glenoid rim)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Labrum glenoidale, pars superior (biceps anchor)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Labrum tendon"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Lateral collateral ligament"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Medial collateral ligament"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Muscle, relaxed"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Origin on the acromion"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Origin on the clavicle"),
@@ -74,6 +78,8 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Processus coracoideus (coracoid)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Processus coracoideus (end on the coracoid)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Radix (root in the labrum)"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Right elbow"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Right knee"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Right shoulder"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Right shoulder with deltoid and skin"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Scapula"),
@@ -93,6 +99,7 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tendo (tendon)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tendon of the long head of the biceps"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tendon of the rotator cuff"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tibia and fibula"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Transverse humeral ligament"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Trigonum spinae (root of the spine, TS)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tubercula (end on both tubercles)"),
@@ -109,6 +116,8 @@ constexpr const char* kNames[] = {
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tuberculum minus, facies (subscapularis facet)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tuberculum supraglenoidale (biceps anchor)"),
     QT_TRANSLATE_NOOP("glenoid::Anatomy", "Tuberositas deltoidea (deltoid tuberosity)"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Ulna"),
+    QT_TRANSLATE_NOOP("glenoid::Anatomy", "Ulnar collateral ligament"),
 };
 
 }  // namespace

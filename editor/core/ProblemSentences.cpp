@@ -136,6 +136,10 @@ QString ProblemSentences::what() const {
       return filled(tr("“%1” hangs, and the weight below its weakest part will stretch that to %2 times its length, if nothing lies "
                        "under it. Couple its other end too, or give that part a stiffer material (%3 kPa or more)."),
                     {part, QLocale().toString(p.figure, 'g', 3), QLocale().toString(1e-3 * p.wanted, 'g', 2)});
+    case ProblemKind::StepTooLong:
+      return filled(tr("The spring that holds “%1” would swing %2 times a second, and steps this long damp it out at once. Steps of %3 ms or "
+                       "less show it swing; otherwise soften the spring or give it the damping that is meant."),
+                    {part, number(p.figure), QLocale().toString(1e3 * p.wanted, 'g', 2)});
     case ProblemKind::CageUnusable:
       return filled(tr("The cage around “%1” cannot be used. %2"), {part, p.error ? glenoid::sentenceOf(*p.error) : QString()});
     case ProblemKind::CageCrushes:
@@ -145,9 +149,28 @@ QString ProblemSentences::what() const {
                           {part, count, element, QLocale().toString(100 * p.figure, 'g', 2), percent(p.wanted)})
                  : filled(tr("The cage turns tetrahedra of “%1” inside out (too little volume: %2, the worst is number %3). Moving "
                              "the handles back to %4 % of their way is enough."), {part, count, element, percent(p.wanted)});
-    case ProblemKind::Overlap:
-      return filled(tr("“%1” and “%2” cut each other at the start (pairs of triangles: %3, deepest %4 mm). Separate them with "
-                       "cages, or switch off their contact."), {part, other, count, millimetres(p.figure)});
+    case ProblemKind::Overlap: {
+      const std::initializer_list<QString> facts{part, other, count, millimetres(p.figure), p.rigid ? QLocale().toString(p.rigid->triangles) : QString(),
+                                                 p.rigid ? millimetres(p.rigid->clearance) : QString()};
+      if (!p.rigid)
+        return filled(tr("“%1” and “%2” cut each other at the start (pairs of triangles: %3, deepest %4 mm). Separate them with "
+                         "cages, or switch off their contact."), facts);
+      if (p.rigid->surfacesOverlap)
+        return filled(tr("“%1” and “%2” are rigid and cut each other at the start (pairs of triangles: %3, deepest %4 mm), as their "
+                         "visual surfaces do. Move one of them, or switch off their contact."), facts);
+      if (p.rigid->triangles > 0 && p.rigid->clearance > 0)
+        return filled(tr("“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest "
+                         "%4 mm) where the visual ones do not. With %5 triangles each they do not cut, nor as they are with a clearance of %6 mm "
+                         "in the recipe."), facts);
+      if (p.rigid->triangles > 0)
+        return filled(tr("“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest "
+                         "%4 mm) where the visual ones do not. With %5 triangles each they do not cut."), facts);
+      if (p.rigid->clearance > 0)
+        return filled(tr("“%1” and “%2” are rigid, and their collision surfaces cut each other at the start (pairs of triangles: %3, deepest "
+                         "%4 mm) where the visual ones do not. With a clearance of %6 mm in the recipe they do not cut."), facts);
+      return filled(tr("“%1” and “%2” are rigid and cut each other at the start (pairs of triangles: %3, deepest %4 mm); neither more triangles "
+                       "nor a clearance keeps them apart. Move one of them, or switch off their contact."), facts);
+    }
     case ProblemKind::Swallowed:
       return filled(tr("“%1” starts wholly inside “%2” (deepest %3 mm). Move it out, or switch off their contact."),
                     {part, other, millimetres(p.figure)});
@@ -181,7 +204,9 @@ QString ProblemSentences::fix() const {
     case ProblemKind::CageUnusable: return filled(tr("Remove the cage around “%1”"), {part});
     case ProblemKind::CageCrushes: return filled(tr("Move the handles around “%1” back"), {part});
     case ProblemKind::Overlap:
-    case ProblemKind::Swallowed: return filled(tr("Separate “%1” and “%2” with cages"), {part, other});
+    case ProblemKind::Swallowed:
+      return p.rigid ? filled(tr("Simplify “%1” and “%2” again, to %3 triangles each"), {part, other, QLocale().toString(p.rigid->triangles)})
+                     : filled(tr("Separate “%1” and “%2” with cages"), {part, other});
     case ProblemKind::ProofMissing: return tr("Record that the start is free of overlap");
     case ProblemKind::ProofStale: return tr("Check the start again");
     case ProblemKind::NoSurface:
@@ -190,6 +215,7 @@ QString ProblemSentences::fix() const {
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
+    case ProblemKind::StepTooLong:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: break;
   }

@@ -83,7 +83,7 @@ QString Sentences::advice(Fault fault) {
     case Fault::MeshNotClosed: return tr("Close the holes, so that inside and outside can be told apart.");
     case Fault::BadIndex: return tr("The file was cut or edited; write it again from its source.");
     case Fault::HashMismatch: return tr("Restore the original file, or save the joint again.");
-    case Fault::UnknownFormat: return tr("Use a .joint folder, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.");
+    case Fault::UnknownFormat: return tr("Use a .joint folder, a .jointz file, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.");
     case Fault::TooFewSprings: return tr("Enlarge the region of the coupling.");
     case Fault::NothingNear: return tr("Enlarge “within”, or check unit and place of both parts.");
     case Fault::Unusable: return tr("Change the part or the setting that is named.");

@@ -29,9 +29,9 @@
 
 namespace glenoid {
 
-MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver)
+MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter)
     : m_document(parts.document), m_link(parts.link), m_display(parts.display), m_selection(parts.selection),
-      m_loader(std::move(loader)), m_saver(std::move(saver)), m_actions(this), m_jobs(m_document),
+      m_loader(std::move(loader)), m_saver(std::move(saver)), m_starter(std::move(starter)), m_actions(this), m_jobs(m_document),
       m_problems(m_document, m_jobs), m_field(m_link) {
   setObjectName(QStringLiteral("mainWindow"));
   m_workers.setMaxThreadCount(1);
@@ -193,6 +193,7 @@ void MainWindow::retranslate() {
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
   m_author->retranslate();
   m_builtinMenu->setTitle(tr("Open a &built-in scene"));
+  if (m_starterMenu) m_starterMenu->setTitle(tr("New joint from a &template"));
   m_languageMenu->setTitle(tr("&Language"));
   m_solverMenu->setTitle(tr("S&olver"));
   m_sideMenu->setTitle(tr("Look &from"));

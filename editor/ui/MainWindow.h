@@ -27,6 +27,10 @@ class SceneView;
 class StatusFigures;
 class ToolPanel;
 
+/// Makes a small joint to begin with in a new folder (`kind`: of starterKinds) and answers the path of its scenario; comes from the
+/// application. `goOn` gets how much is done, 0…1, and ends it with Cancelled when it answers false. May run on any thread.
+using SceneStarter = std::function<Result<std::string>(const std::string& kind, const std::string& folder, const std::function<bool(double)>& goOn)>;
+
 /// The window: puts views and actions together, decides nothing. It owns none of the four below, which must
 /// outlive it. Loading and saving come from the application.
 class MainWindow : public QMainWindow {
@@ -39,7 +43,8 @@ class MainWindow : public QMainWindow {
     Selection& selection;
   };
 
-  MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver);
+  /// Without a starter no joint is begun from a template.
+  MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter = {});
   ~MainWindow() override;
 
   SceneView* view() const { return m_view; }  ///< null without OpenGL
@@ -52,6 +57,8 @@ class MainWindow : public QMainWindow {
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
+  /// Makes a joint to begin with in a new folder, in the background, and opens it.
+  void startJointIn(const QString& folder, const std::string& kind);
   /// Opens the dialog that looks at files of surfaces; adds them to it where it is open already.
   void importSurfaceFiles(const QStringList& files);
   /// Where safety copies lie; offers at once what a program that was killed left there.
@@ -88,6 +95,7 @@ class MainWindow : public QMainWindow {
   void newScene();
   void askForScene();
   void askForJointFolder();
+  void askForStarterFolder(const std::string& kind);
   void askForSurfaces();
   void askForRecovery(bool all);
   void saveAs();
@@ -101,6 +109,7 @@ class MainWindow : public QMainWindow {
   Selection& m_selection;
   SceneLoader m_loader;
   SceneSaver m_saver;
+  SceneStarter m_starter;
   Actions m_actions;
   JobSystem m_jobs;
   ProblemWatch m_problems;
@@ -116,7 +125,7 @@ class MainWindow : public QMainWindow {
   QWidget* m_banner = nullptr;
   std::vector<QMenu*> m_menus;
   std::vector<QDockWidget*> m_docks;
-  QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr, *m_colourMenu = nullptr;
+  QMenu *m_languageMenu = nullptr, *m_solverMenu = nullptr, *m_sideMenu = nullptr, *m_builtinMenu = nullptr, *m_starterMenu = nullptr, *m_colourMenu = nullptr;
   std::vector<QToolBar*> m_toolBars;
   QThreadPool m_workers;
   QString m_autosaveRoot;

@@ -20,6 +20,7 @@
 #include "editor/ui/MainWindow.h"
 #include "editor/ui/SceneView.h"
 #include "editor/ui/Theme.h"
+#include "simcore/starter/Starter.h"
 
 namespace glenoid {
 namespace {
@@ -30,6 +31,12 @@ Keys keypad(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
   return {QKeySequence(QKeyCombination(modifiers | Qt::KeypadModifier, key))};
 }
 
+QString starterTitle(const std::string& kind) {
+  if (kind == "elbow") return MainWindow::tr("&Elbow");
+  if (kind == "knee") return MainWindow::tr("&Knee");
+  return QString::fromStdString(kind);
+}
+
 constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:palpation", "builtin:shoulder"};
 
 }  // namespace
@@ -38,8 +45,13 @@ void MainWindow::makeFileActions() {
   m_actions.add("new", {}, {QKeySequence::New},
                 [] { return Actions::Words{tr("&New joint"), tr("Begin a joint without parts; bring surfaces in then")}; },
                 [this] { newScene(); });
+  for (const StarterKind& kind : m_starter ? starterKinds() : std::span<const StarterKind>()) {
+    m_actions.add(QStringLiteral("starter.") + QLatin1String(kind.name), {}, {}, [name = std::string(kind.name)] {
+      return Actions::Words{starterTitle(name), tr("Make a small joint with recipe, scenario and meshes, to be edited")};
+    }, [this, name = std::string(kind.name)] { askForStarterFolder(name); });
+  }
   m_actions.add("open", "open", {QKeySequence::Open},
-                [] { return Actions::Words{tr("&Open…"), tr("Open a scenario file")}; }, [this] { askForScene(); });
+                [] { return Actions::Words{tr("&Open…"), tr("Open a scenario, or a joint packed in one file")}; }, [this] { askForScene(); });
   m_actions.add("openJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
                 [] { return Actions::Words{tr("Open a &joint…"), tr("Open a .joint folder")}; },
                 [this] { askForJointFolder(); });
@@ -251,7 +263,12 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menu();
-  fill(file, {"new", "open", "openJoint", "import"});
+  fill(file, {"new"});
+  if (m_starter) {
+    m_starterMenu = file->addMenu(QString());
+    for (const StarterKind& kind : starterKinds()) m_starterMenu->addAction(m_actions[QStringLiteral("starter.") + QLatin1String(kind.name)]);
+  }
+  fill(file, {"open", "openJoint", "import"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
   fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});
@@ -340,7 +357,7 @@ void MainWindow::makeToolBars() {
 void MainWindow::askForScene() {
   if (!mayDiscard()) return;
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a scenario"), {},
-                                                    tr("Scenarios (*.scenario.json);;All files (*)"));
+                                                    tr("Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)"));
   if (!path.isEmpty()) openScene(path);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What comes back after a crash, and what goes to other programs.
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -52,6 +53,28 @@ void MainWindow::newScene() {
   m_document.open(emptyScene(tr("Untitled joint")), {});
   refreshRun();
   emit sceneOpened();
+}
+
+void MainWindow::askForStarterFolder(const std::string& kind) {
+  if (!mayDiscard()) return;
+  const QString folder = QFileDialog::getSaveFileName(this, tr("Make a folder for the new joint"), QString::fromStdString("my-" + kind), {}, nullptr,
+                                                      QFileDialog::DontConfirmOverwrite);
+  if (!folder.isEmpty()) startJointIn(folder, kind);
+}
+
+void MainWindow::startJointIn(const QString& folder, const std::string& kind) {
+  if (QFileInfo::exists(folder) && !QDir(folder).isEmpty())
+    return showProblem(tr("There is something in %1 already. Choose a new folder.").arg(QDir::toNativeSeparators(folder)));
+  const auto always = [](const Scene&, const Scene&) { return true; };  // what is made lies in a folder of its own
+  m_jobs.start<std::string>(
+      tr("New joint in %1").arg(QFileInfo(folder).fileName()),
+      [starter = m_starter, folder = folder.toStdString(), kind](JobContext& context) {
+        return starter(kind, folder, [&context](double done) { return context.progress(done); });
+      },
+      [this](const std::string& scenario) {
+        if (mayDiscard()) openScene(QString::fromStdString(scenario));
+      },
+      always);
 }
 
 void MainWindow::exportTo() {

@@ -6,7 +6,7 @@
 #include "resources/generate/Coarse.h"
 #include "resources/generate/Flesh.h"
 #include "resources/generate/Parts.h"
-#include "resources/generate/Relax.h"
+#include "simcore/shape/Relax.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {

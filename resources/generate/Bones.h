@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "resources/generate/Field.h"
+#include "simcore/shape/Field.h"
 
 /// The two bones as implicit shapes, and where things are on them. Frame W, millimetres. Landmarks and sizes:
 /// measured positions of one adult man scaled so that the head radius is 24 mm (mean of Iannotti 1992), the
 /// acromion raised by 4 mm to a subacromial gap of 9 mm (Petersson 1984), sizes otherwise from the literature
 /// (glenoid: von Schroeder 2001; groove: PMID 38259382; head: Iannotti 1992). The shapes are our own.
 namespace glenoid::generate {
+
+using namespace shape;
 
 namespace humerus {
 inline constexpr double kHeadRadius = 24;

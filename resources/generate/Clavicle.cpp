@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "resources/generate/Bones.h"
 #include "resources/generate/Flesh.h"
-#include "resources/generate/Relax.h"
 #include "resources/generate/Superficial.h"
+#include "simcore/shape/Relax.h"
 
 namespace glenoid::generate {
 namespace {

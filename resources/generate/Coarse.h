@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "resources/generate/Field.h"
+#include "simcore/shape/Field.h"
 #include "simcore/mesh/TriMesh.h"
 
 namespace glenoid::generate {
+
+using namespace shape;
 
 /// How much a place of a surface matters for contact, > 0.
 using Importance = std::function<double(const Vec3&)>;

@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <memory>
 
-#include "resources/generate/Relax.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/mesh/Simplify.h"
 #include "simcore/repair/Untangled.h"
+#include "simcore/shape/Relax.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "resources/generate/Tube.h"
+#include "simcore/shape/Tube.h"
 
 /// Muscles as bodies that fill the room they are given: a swept tube, evened out, from which bone and roof
 /// are taken away. So a belly fits its fossa and a tendon its footprint without a fold. Millimetres, frame W.
 namespace glenoid::generate {
+
+using namespace shape;
 
 /// What a body keeps off, and how far.
 struct Obstacle {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "resources/generate/Bones.h"
+#include "simcore/shape/ElbowEnd.h"
 
 namespace glenoid::generate::humerus {
 
@@ -26,6 +27,13 @@ Frame canalFrame() {
   Frame f;
   f.origin = canalAt(0);
   f.axes << x, z.cross(x), z;
+  return f;
+}
+
+/// The same axes, from the middle between the epicondyles.
+Frame elbowFrame() {
+  Frame f = canalFrame();
+  f.origin = 0.5 * (lateralEpicondyle() + medialEpicondyle());
   return f;
 }
 
@@ -54,32 +62,6 @@ Field shaft() {
                 {-286, {0.5, -0.5}, {-28, 0.5}, {30, -1}, {-1, 8}, {0, -7}, 0.68, 0.72},
                 {-295, {0, 0.5}, {-22, 0}, {27, 0}, {0, 7}, {0, -6.4}, 0.70, 0.72}},
                4);
-}
-
-/// Both epicondyles and what the forearm turns on: in front at the outer side a ball (capitulum), inward of
-/// it a spool (trochlea) whose inner lip is larger and reaches lower. Fossae take the forearm's bones at the
-/// ends of their way.
-Field withElbow(Field bone) {
-  Frame f = canalFrame();
-  f.origin = 0.5 * (lateralEpicondyle() + medialEpicondyle());
-  const auto at = [&](double lateral, double forward, double up) {
-    return f.toWorld({lateral, forward, up});
-  };
-  const Field medial = chain({{at(-20, -1, 4), 8}, {at(-28.8, -2, 1.2), 6.6}});
-  const Field outer = chain({{at(21, 0, 2), 7}, {at(29.4, 0, -1.8), 5.6}});
-  bone = smoothUnion({bone, smoothUnion({medial, outer}, 4)}, 7);
-  const Field capitulum = ellipsoid({at(21, 6.5, -8), f.axes}, {9.6, 10.8, 10.8});
-  Frame spool = f;
-  spool.origin = at(0, 5, -7);
-  const Field trochlea =
-      turned(spool, {{-17, 9}, {-14.2, 13}, {-9, 11.3}, {-2, 9}, {5, 9.2}, {10.5, 10.4}, {15, 9}}, 2.2);
-  bone = smoothUnion({bone, smoothUnion({capitulum, trochlea}, 3)}, 4);
-  const auto hollow = [&](const Vec3& centre, const Vec3& halfAxes) {
-    return ellipsoid({centre, f.axes}, halfAxes);
-  };
-  bone = smoothSubtract(bone, hollow(at(-1, -11, 9.5), {12.5, 9, 9.5}), 3);   // olecranon fossa
-  bone = smoothSubtract(bone, hollow(at(-4, 11.5, 10.5), {7.5, 8.5, 6}), 3);  // coronoid fossa
-  return smoothSubtract(bone, hollow(at(17, 12, 9), {6, 6.5, 5}), 3);         // radial fossa
 }
 
 }  // namespace
@@ -148,7 +130,7 @@ Field filledField() {
                                  {canalAt(-78), 5}});
   Field bone =
       smoothUnion({unionOf(shaft(), metaphysis), neck, calcar, greater, lesser, lateralLip, medialLip}, 5);
-  return smoothUnion({withElbow(bone), sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
+  return smoothUnion({withElbow(bone, elbowFrame()), sphere(Vec3::Zero(), kHeadRadius)}, 2.5);
 }
 
 Field field() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "resources/generate/Tube.h"
+#include "simcore/shape/Tube.h"
 
 /// The eleven parts' surfaces, frame W, millimetres. Triangle counts are those of Table 1 of the paper as
 /// near as closed surfaces allow (an odd count cannot close). Collision surfaces of soft parts lie on the
 /// bones' collision surfaces, not on their visual ones, so that coarse triangles of both sides stay apart.
 namespace glenoid::generate {
+
+using namespace shape;
 
 struct Surfaces {
   TriMesh visual, collision;

@@ -31,9 +31,9 @@ class Separation {
     outcome.overlapsBefore = static_cast<int>(overlaps.size());
     for (const Overlap& overlap : overlaps) outcome.depthBefore = std::max(outcome.depthBefore, overlap.depth);
     int handles = m_wishes.handles;
-    for (int round = 0; round <= m_wishes.refinements && !overlaps.empty(); ++round, handles *= 2) {
+    for (int round = 0; round <= m_wishes.refinements && canHelp(overlaps); ++round, handles *= 2) {
       if (const auto caged = cageThose(overlaps, handles, round > 0); !caged) return caged.error();
-      for (int sweep = 0; sweep < m_wishes.iterations && !overlaps.empty(); ++sweep, ++outcome.sweeps) {
+      for (int sweep = 0; sweep < m_wishes.iterations && canHelp(overlaps); ++sweep, ++outcome.sweeps) {
         const double done = static_cast<double>(outcome.sweeps) / (m_wishes.iterations * (1 + m_wishes.refinements));
         if (m_progress && !m_progress(done, static_cast<int>(overlaps.size())))
           return Error{Fault::Cancelled, {}, {}, "separating the start"};
@@ -56,6 +56,12 @@ class Separation {
   bool mayMove(const Part& part) const {
     if (part.kind != PartKind::Soft) return false;
     return m_wishes.parts.empty() || std::find(m_wishes.parts.begin(), m_wishes.parts.end(), part.id) != m_wishes.parts.end();
+  }
+
+  /// Whether a part of any of them may move: two rigid parts stay in each other's way whatever is tried.
+  bool canHelp(const std::vector<Overlap>& overlaps) const {
+    return std::any_of(overlaps.begin(), overlaps.end(),
+                       [&](const Overlap& overlap) { return mayMove(m_joint.parts[overlap.partA]) || mayMove(m_joint.parts[overlap.partB]); });
   }
 
   Result<Done> begin() {

@@ -15,6 +15,8 @@ struct Work {
   CheckReport& report;
   std::vector<char> surfaces;  ///< of each part: both can be used
   std::vector<char> usable;    ///< of each part: surfaces and, where soft, tetrahedra can be used
+  RigidAdviceMemory& advice;   ///< of earlier checks; what this one needs of it is moved to `adviceNow`
+  RigidAdviceMemory adviceNow = {};
   bool stopped = false;
 
   bool goesOn() {
@@ -44,6 +46,7 @@ void checkUnits(Work& work);
 void checkCouplings(Work& work);
 void checkIslands(Work& work);
 void checkWeight(Work& work);
+void checkSteps(Work& work);
 void checkAtStart(Work& work);
 
 /// Least volume of a tetrahedron with its nodes at `start` over its volume at rest, and which one.

@@ -139,7 +139,17 @@ class StartComparison {
       problem.count = static_cast<long>(cuts[0].triangles.size());
       problem.element = cuts[0].triangles[0][0];
     }
+    if (!cuts.empty() && problem.parts.empty()) problem.rigid = advice(m_model.joint.parts[pair.surfaceA], m_model.joint.parts[pair.surfaceB]);
     return false;
+  }
+
+  /// Tried once for the same surfaces: simplifying takes long.
+  std::optional<RigidAdvice> advice(const Part& a, const Part& b) {
+    const std::array key{a.visual, b.visual, a.collision, b.collision};
+    const auto known = m_work.advice.find(key);
+    const RigidAdvice found = known != m_work.advice.end() ? known->second : adviseRigid(a, b, [&] { return m_work.goesOn(); });
+    if (m_work.stopped) return {};
+    return m_work.adviceNow[key] = found;
   }
 
   Work& m_work;

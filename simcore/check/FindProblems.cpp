@@ -31,6 +31,7 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::PartLoose: return "part-loose";
     case ProblemKind::IslandLoose: return "island-loose";
     case ProblemKind::WeightOverstretches: return "weight-overstretches";
+    case ProblemKind::StepTooLong: return "step-too-long";
     case ProblemKind::CageUnusable: return "cage-unusable";
     case ProblemKind::CageCrushes: return "cage-crushes";
     case ProblemKind::Overlap: return "overlap";
@@ -51,7 +52,7 @@ int CheckReport::count(Severity severity) const {
 Result<CheckReport> ProblemFinder::find(const Joint& joint, const Scenario* scenario, const CheckGoOn& goOn) {
   CheckReport report;
   const bool stays = scenario && !(scenario->fixedParts.empty() && scenario->holds.empty());
-  Work work{joint, stays ? scenario : nullptr, goOn, report, {}, {}};
+  Work work{joint, stays ? scenario : nullptr, goOn, report, {}, {}, m_advice};
   work.surfaces.assign(joint.parts.size(), 1);
   decltype(m_seen) seen;  // what this joint shows; the rest is forgotten
   for (std::size_t i = 0; i < joint.parts.size(); ++i) {
@@ -86,7 +87,9 @@ Result<CheckReport> ProblemFinder::find(const Joint& joint, const Scenario* scen
   checkCouplings(work);
   checkIslands(work);
   checkWeight(work);
+  checkSteps(work);
   checkAtStart(work);
+  if (!work.stopped) m_advice = std::move(work.adviceNow);
   if (scenario)
     for (const UnusedSetting& unused : unusedSettings(*scenario)) work.add(ProblemKind::SettingUnused, Severity::Warning).unused = unused;
   if (!work.goesOn()) return Error{Fault::Cancelled, {}, {}, "check"};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -35,6 +36,9 @@ struct CheckReport {
   bool holds() const { return count(Severity::Error) == 0; }
 };
 
+/// What was found to keep two rigid parts apart, by their visual and collision surfaces.
+using RigidAdviceMemory = std::map<std::array<std::shared_ptr<const TriMesh>, 4>, RigidAdvice>;
+
 /// Asked between pieces of work; false ends the check.
 using CheckGoOn = std::function<bool()>;
 
@@ -52,6 +56,7 @@ class ProblemFinder {
     int cuts = 0, firstCut = -1;
   };
   std::map<std::shared_ptr<const TriMesh>, Seen> m_seen;
+  RigidAdviceMemory m_advice;
 };
 
 /// The same once, without a memory.

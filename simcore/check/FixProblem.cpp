@@ -14,7 +14,9 @@
 #include "simcore/file/Vtk.h"
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/MeshHealth.h"
+#include "simcore/mesh/Simplify.h"
 #include "simcore/repair/RepairStep.h"
+#include "simcore/repair/Untangled.h"
 
 namespace glenoid {
 namespace {
@@ -201,6 +203,22 @@ Result<Joint> separate(Joint joint, const Problem& problem, const FixProgress& p
   return joint;
 }
 
+/// Finer collision surfaces for two rigid parts, as they were tried. Not where a region lies on the ones that go.
+Result<Joint> simplifyAgain(Joint joint, const Problem& problem) {
+  if (!problem.rigid || problem.rigid->triangles <= 0) return noHelp(problem);
+  for (const std::string& id : {problem.part, problem.other}) {
+    const int index = findPart(joint, id);
+    if (index < 0 || !joint.parts[index].visual) return noLonger(problem);
+    Part& part = joint.parts[index];
+    for (const Region& region : part.regions)
+      if (region.surface == SurfaceKind::Collision) return noHelp(problem);
+    auto simple = simplify(*part.visual, problem.rigid->triangles);
+    if (!simple) return simple.error();
+    part.collision = std::make_shared<const TriMesh>(untangled(std::move(*simple)));
+  }
+  return joint;
+}
+
 Result<Joint> recordProof(Joint joint, const Problem& problem) {
   const auto start = checkStart(joint);
   if (!start) return start.error();
@@ -233,7 +251,7 @@ bool canFix(const Problem& problem) {
     case ProblemKind::ProofMissing:
     case ProblemKind::ProofStale: return true;
     case ProblemKind::Overlap:
-    case ProblemKind::Swallowed: return !problem.parts.empty();
+    case ProblemKind::Swallowed: return !problem.parts.empty() || (problem.rigid && problem.rigid->triangles > 0);
     case ProblemKind::NoMaterial: return !problem.other.empty();
     case ProblemKind::SurfaceCutsItself: return problem.surface == SurfaceKind::Collision;
     case ProblemKind::NoSurface:
@@ -242,6 +260,7 @@ bool canFix(const Problem& problem) {
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
+    case ProblemKind::StepTooLong:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: return false;
   }
@@ -267,7 +286,7 @@ Result<Joint> fixProblem(const Joint& joint, const Problem& problem, const FixPr
     case ProblemKind::CageUnusable: return removeCage(joint, problem);
     case ProblemKind::CageCrushes: return moveHandlesBack(joint, problem);
     case ProblemKind::Overlap:
-    case ProblemKind::Swallowed: return separate(joint, problem, progress);
+    case ProblemKind::Swallowed: return problem.parts.empty() ? simplifyAgain(joint, problem) : separate(joint, problem, progress);
     case ProblemKind::ProofMissing: return recordProof(joint, problem);
     case ProblemKind::ProofStale: {
       // Where the start is free of overlap the proof is renewed; where it is not, the joint must not claim it.

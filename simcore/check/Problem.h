@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simcore/author/RigidAdvice.h"
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
 #include "simcore/scene/UnusedSettings.h"
@@ -33,11 +34,13 @@ enum class ProblemKind {
   IslandLoose,         ///< parts coupled to each other and to nothing that stays; parts: which
   WeightOverstretches, ///< a soft part hangs, and the weight below stretches it; figure: to how many times its length, in the mean over
                        ///< the weakest tenth of its height; wanted: Young's modulus that would keep that at 1.2, Pa
+  StepTooLong,         ///< a spring that holds a part swings faster than steps can show, so they damp it out; figure: how often, Hz;
+                       ///< wanted: a step that would show it, s
   CageUnusable,        ///< `error` says why
   CageCrushes,         ///< count: tetrahedra below the limit; element: the worst; figure: its volume at the start over
                        ///< that at rest; wanted: part of the handles' way that keeps the limit
   Overlap,             ///< count: pairs of triangles at the start; figure: deepest vertex, m; element: a triangle of
-                       ///< `part`; parts: those of the two that are soft and can be moved by cages
+                       ///< `part`; parts: those of the two that are soft and can be moved by cages; `rigid` where none is
   Swallowed,           ///< `part` lies wholly inside `other` at the start; figure: deepest vertex, m
   ProofMissing,        ///< the start is free of overlap, and the joint does not say so
   ProofStale,          ///< the joint says so of other meshes, cages or exclusions
@@ -64,6 +67,7 @@ struct Problem {
   std::vector<std::string> parts;
   std::optional<Error> error;
   std::optional<UnusedSetting> unused;
+  std::optional<RigidAdvice> rigid;
 };
 
 }  // namespace glenoid

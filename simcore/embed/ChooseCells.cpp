@@ -77,8 +77,22 @@ Quat principalAxes(const TriMesh& surface) {
 
 namespace {
 
-/// chooseCells along given axes, in cells of a shape.
-Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision, int targetTets, const Quat& frame, const Vec3& shape) {
+/// Bent along a band, a cell may lose its volume where the band curves too much for it.
+constexpr double kLeastBent = 0.05;  ///< of the volume that it has in a flat band
+
+/// Moves the nodes of a flat band's cells up to the band; false where that leaves a tetrahedron too little volume.
+bool bend(const BandShape& band, TetMesh& mesh) {
+  TetMesh bent = mesh;
+  for (Vec3& node : bent.nodes) node = band.bent(node);
+  bool sound = true;
+  for (int tet = 0; tet < static_cast<int>(mesh.tets.size()); ++tet) sound &= tetVolume(bent, tet) > kLeastBent * tetVolume(mesh, tet);
+  mesh = std::move(bent);
+  return sound;
+}
+
+/// chooseCells along given axes, in cells of a shape; with a band the surfaces are flat, and the answer lies along it.
+Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision, int targetTets, const Quat& frame, const Vec3& shape,
+                                 const BandShape* band = nullptr) {
   if (targetTets < 1 || targetTets > kMostTets)
     return Error{Fault::OutOfRange,
                  {},
@@ -122,7 +136,7 @@ Result<CellChoice> chooseInFrame(const TriMesh& visual, const TriMesh& collision
     TetMesh mesh = meshOf(*cutLattice(surfaces, trial.grid), trial.grid);
     int components = 0;
     faceComponents(mesh, &components);
-    if (components == 1) return CellChoice{trial.grid, std::move(mesh), trial.grid.cell.x()};
+    if (components == 1 && (!band || bend(*band, mesh))) return CellChoice{trial.grid, std::move(mesh), trial.grid.cell.x()};
   }
   return Error{Fault::Unusable,
                {},
@@ -135,9 +149,6 @@ struct FlatPart {
   explicit FlatPart(const TriMesh& visualSurface, const TriMesh& collisionSurface)
       : band(bandOf(visualSurface)), visual(flattened(band, visualSurface, kFlatness * band.length)),
         collision(flattened(band, collisionSurface, kFlatness * band.length)) {}
-  void bend(TetMesh& mesh) const {
-    for (Vec3& node : mesh.nodes) node = band.bent(node);
-  }
   static constexpr double kFlatness = 1e-4;  ///< of the length: which cells a surface meets
   BandShape band;
   TriMesh visual, collision;
@@ -156,9 +167,7 @@ Result<CellChoice> chooseCells(const TriMesh& visual, const TriMesh& collision, 
   const Quat frame = axes == GridAxes::World ? Quat::Identity() : principalAxes(visual);
   if (axes != GridAxes::Band) return chooseInFrame(visual, collision, targetTets, frame, shapeOf(axes));
   const FlatPart flat(visual, collision);
-  auto choice = chooseInFrame(flat.visual, flat.collision, targetTets, frame, shapeOf(axes));
-  if (choice) flat.bend(choice->mesh);
-  return choice;
+  return chooseInFrame(flat.visual, flat.collision, targetTets, frame, shapeOf(axes), &flat.band);
 }
 
 Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, double cellSize, GridAxes axes) {
@@ -169,7 +178,8 @@ Result<TetMesh> embedAlong(const TriMesh& visual, const TriMesh& collision, doub
   if (const auto closed = requireBothClosed(visual, collision); !closed) return closed.error();
   const FlatPart flat(visual, collision);
   auto mesh = embedInCells(flat.visual, flat.collision, grid);
-  if (mesh) flat.bend(*mesh);
+  if (mesh && !bend(flat.band, *mesh))
+    return Error{Fault::Unusable, {}, {"cells of this size along the band turn inside out where it curves; smaller ones or other axes may do"}, "cells of a part"};
   return mesh;
 }
 

@@ -11,6 +11,7 @@
 #include "simcore/file/Schema.h"
 #include "simcore/file/Vtk.h"
 #include "simcore/scene/DraftFile.h"
+#include "simcore/scene/JointArchive.h"
 #include "simcore/scene/JointCheck.h"
 #include "simcore/scene/ScenarioJson.h"
 #include "simcore/scene/SceneJson.h"
@@ -255,9 +256,7 @@ Result<Done> checkSorted(const Joint& joint, const JsonValue& json, const std::s
   return joint_check::checkMeshes(joint, file);
 }
 
-}  // namespace
-
-Result<Joint> loadJoint(const std::string& folder) {
+Result<Joint> loadFolder(const std::string& folder) {
   std::error_code failed;
   const fs::file_status status = fs::status(folder, failed);
   if (!fs::exists(status)) return folderFault(Fault::FileMissing, folder, failed);
@@ -274,7 +273,20 @@ Result<Joint> loadJoint(const std::string& folder) {
   return joint;
 }
 
+}  // namespace
+
+Result<Joint> loadJoint(const std::string& path) {
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) return loadFolder(path);
+  if (isJointArchive(path)) return loadJointArchive(path);
+  if (fs::path(path).filename() != "joint.json") return loadFolder(path);
+  const fs::path folder = fs::path(path).parent_path();
+  return loadFolder(folder.empty() ? "." : folder.string());
+}
+
 Result<Done> saveJoint(const Joint& unsorted, const std::string& folder) {
+  std::error_code is;
+  if (isJointArchive(folder) && !fs::is_directory(folder, is)) return saveJointArchive(unsorted, folder);
   Joint joint = unsorted;
   sortParts(joint);
   const std::string file = jsonPath(folder);

@@ -8,14 +8,15 @@
 namespace glenoid {
 
 /// A joint on disk is the folder NAME.joint with joint.json and meshes/, whose files are named by content hash
-/// (surfaces .ply, volumes .vtk). A mesh that several parts share is stored and loaded once.
+/// (surfaces .ply, volumes .vtk). A mesh that several parts share is stored and loaded once. The same in one file is
+/// NAME.jointz (JointArchive.h).
 
-/// Reads and checks all of it. Fails as readDocument, readPly and readVtk do and with DuplicateId, UnknownId
+/// Reads and checks all of it; `path` is the folder, its joint.json, or an archive. Fails as readDocument, readPly and readVtk do and with DuplicateId, UnknownId
 /// (arguments: id, kind), OutOfRange, BadReference (a mesh name that leaves the folder), HashMismatch (arguments:
 /// found, named), BadMesh (a rigid part with a volume, a soft one without) or BadIndex (a region beyond its surface).
-Result<Joint> loadJoint(const std::string& folder);
+Result<Joint> loadJoint(const std::string& path);
 
-/// Writes new meshes first, joint.json last, so that a save happened or it did not; then removes the mesh files that
+/// Into a folder, or where the path ends in .jointz and is none, into an archive. Writes new meshes first, joint.json last, so that a save happened or it did not; then removes the mesh files that
 /// only an older joint.json named. The first save over a joint.json of an older schema keeps it beside as
 /// joint.v1.json, with its meshes. Other files in the folder stay. Makes the folder when its parent exists.
 /// Fails as checkJoint does, before anything is written, and with FileMissing or FileUnwritable.

@@ -25,7 +25,7 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
 }
 
 TEST(CommandLine, everyCommandHasHelp) {
-  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "joint dents", "replay", "bench"}) {
+  for (const char* command : {"run", "render", "joint", "joint new", "joint info", "joint check", "joint build", "joint dents", "joint pack", "joint unpack", "replay", "bench"}) {
     const Outcome outcome = glenoidProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_GT(lineCount(outcome.out), 5) << command;
@@ -73,6 +73,11 @@ TEST(CommandLine, whatIsNotThereGetsOneSentence) {
   expectOneSentence("run nowhere/x.scenario.json", "nowhere/x.scenario.json");
   expectOneSentence("run builtin:arthroscopy --steps 1 --input nowhere.recording", "nowhere.recording");
   expectOneSentence("joint info nowhere.joint", "nowhere.joint");
+  expectOneSentence("joint pack builtin:shoulder shoulder.zip", "NAME.jointz");
+  expectOneSentence("joint unpack nowhere.jointz somewhere.joint", "nowhere.jointz");
+  expectOneSentence("joint new /nowhere/at/all", "/nowhere/at/all");
+  expectOneSentence("joint new x --kind wing", "elbow, knee");
+  expectOneSentence("run builtin:shoulder", "is a joint, and a scenario is wanted");
   expectOneSentence("joint check builtin:elbow", "elbow");
   expectOneSentence("replay nowhere.recording", "nowhere.recording");
   expectOneSentence("render nowhere.joint --out x.png", "nowhere.joint");

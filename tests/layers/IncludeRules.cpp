@@ -88,6 +88,7 @@ const std::vector<Library>& libraries() {
       {"valijson", std::regex("^valijson/.*"), {"simcore/file"}},
       {"nlohmann", std::regex("^nlohmann/.*"), {"simcore/file"}},
       {"xxHash", std::regex("^xxh.*"), {"simcore/base"}},
+      {"libzip", std::regex("^zip(conf)?\\.h$"), {"simcore/file"}},
       {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "simcore/import", "editor/render"}},
       {"libepoxy", std::regex("^(epoxy|GL|EGL|GLES\\w*)/.*"), {"editor/render"}},
       {"CLI11", std::regex("^CLI/.*"), {"app"}},
@@ -135,8 +136,8 @@ std::string folderOf(const std::string& path) {
 }
 
 const std::vector<std::string>& simcoreOrder() {
-  static const std::vector<std::string> order = {"base", "linear", "mesh", "spatial", "file", "import", "repair", "embed",
-                                                 "scene", "fem", "body", "tool", "coupling", "collide", "contact", "step",
+  static const std::vector<std::string> order = {"base", "linear", "mesh", "shape", "spatial", "file", "import", "repair", "embed",
+                                                 "scene", "starter", "fem", "body", "tool", "coupling", "collide", "contact", "step",
                                                  "author", "check", "export", "reading", "haptic", "live", "train", "study"};
   return order;
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "resources/generate/Coarse.h"
-#include "resources/generate/Field.h"
-#include "resources/generate/Relax.h"
 #include "resources/generate/Shoulder.h"
-#include "resources/generate/Tube.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/shape/Field.h"
+#include "simcore/shape/Relax.h"
+#include "simcore/shape/Tube.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::generate {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "editor/core/AnatomyNames.h"
+#include "simcore/file/Json.h"
 #include "simcore/scene/JointFile.h"
 
 namespace glenoid {
@@ -22,6 +23,13 @@ TEST(AnatomyNames, coverTheShippedJointsAndNothingElse) {
       for (const Region& region : part.regions) shipped.insert(region.name);
       for (const Landmark& landmark : part.landmarks) shipped.insert(landmark.name);
     }
+  }
+  for (const char* name : {"elbow", "knee"}) {  // the joints to begin with
+    const auto recipe = readJson(std::string(GLENOID_SOURCE_DIR) + "/resources/starters/" + name + ".recipe.json");
+    ASSERT_TRUE(recipe.ok()) << toLogLine(recipe.error());
+    shipped.insert((*recipe)["name"].text());
+    for (const char* list : {"materials", "parts"})
+      for (const JsonValue& each : (*recipe)[list].items()) shipped.insert(each["name"].text());
   }
   const std::set<std::string> known(anatomyNames().begin(), anatomyNames().end());
   EXPECT_EQ(known, shipped);

@@ -53,6 +53,24 @@ TEST(ProblemSentences, everyFixHasATitleAndNothingElseDoes) {
   }
 }
 
+TEST(ProblemSentences, twoRigidPartsGetTheAdviceThatWasTried) {
+  const Joint joint = scenes::blockOnPlateJoint();
+  std::set<QString> seen;
+  for (const RigidAdvice& advice : {RigidAdvice{true, 0, 0}, RigidAdvice{false, 800, 0.00025}, RigidAdvice{false, 800, 0}, RigidAdvice{false, 0, 0.00025}, RigidAdvice{}}) {
+    Problem problem = sample(ProblemKind::Overlap);
+    problem.parts.clear();
+    problem.rigid = advice;
+    const QString sentence = sentenceOf(problem, joint);
+    EXPECT_TRUE(seen.insert(sentence).second) << sentence.toStdString();
+    EXPECT_FALSE(sentence.contains(u'%')) << sentence.toStdString();
+    EXPECT_FALSE(sentence.contains(u"cages")) << "cages cannot move bones: " << sentence.toStdString();
+    EXPECT_EQ(sentence.contains(u"800 triangles"), advice.triangles == 800) << sentence.toStdString();
+    EXPECT_EQ(sentence.contains(u"0.25 mm"), advice.clearance > 0) << sentence.toStdString();
+    EXPECT_EQ(canFix(problem), advice.triangles > 0);
+    EXPECT_EQ(fixTitleOf(problem, joint).contains(u"800"), advice.triangles > 0);
+  }
+}
+
 TEST(ProblemSentences, namesAndLengthsAreForPeople) {
   Joint joint = scenes::blockOnPlateJoint();
   for (Part& part : joint.parts)

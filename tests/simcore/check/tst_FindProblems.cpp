@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "simcore/body/PartMass.h"
 #include "simcore/scene/JointFile.h"
 #include "tests/simcore/check/Faults.h"
 
@@ -57,6 +58,31 @@ TEST(FindProblems, wishesOfTheScenarioThatDoNothingAreWarnings) {
   EXPECT_EQ(std::count_if(problems.begin(), problems.end(), [](const Problem& p) { return p.kind == ProblemKind::SettingUnused; }), 2);
   EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->severity, Severity::Warning);
   EXPECT_EQ(problemOf(problems, ProblemKind::SettingUnused)->unused->name, "haptics");
+}
+
+TEST(FindProblems, aStepTooLongForASpringIsForeseen) {
+  Joint joint = soundJoint();
+  Scenario scenario;
+  const std::string bone = joint.parts.back().id;
+  ASSERT_EQ(joint.parts.back().kind, PartKind::Rigid);
+  const double mass = massPropertiesOf(joint, joint.parts.back())->mass;
+  const auto found = [&](double hertz, double damping, double dt) {
+    const double omega = 2 * 3.14159265358979 * hertz;
+    scenario.fixedParts = {joint.parts.front().id};
+    scenario.holds = {{bone, mass * omega * omega, 0, damping, {}, {}}};
+    scenario.dt = dt;
+    return findProblems(joint, &scenario);
+  };
+  const auto problems = found(50, 0, 5e-3);
+  const Problem* problem = problemOf(problems, ProblemKind::StepTooLong, bone);
+  ASSERT_NE(problem, nullptr) << listed(problems);
+  EXPECT_EQ(problem->severity, Severity::Warning);
+  EXPECT_NEAR(problem->figure, 50, 1e-6);
+  EXPECT_FALSE(has(found(50, 0, problem->wanted), ProblemKind::StepTooLong)) << "the step it asks for";
+  // As step/README.md has it: 50 Hz fall by 92.5 a second in steps of 20 ms, 124 in 5 ms; one Hz lives.
+  EXPECT_FALSE(has(found(1, 0, 5e-3), ProblemKind::StepTooLong));
+  EXPECT_FALSE(has(found(50, 0.01, 5e-3), ProblemKind::StepTooLong)) << "its author damps it beyond swinging";
+  EXPECT_TRUE(has(found(50, 0.001, 5e-3), ProblemKind::StepTooLong));
 }
 
 /// A block that holds, and a bar of 10 cm below it, bonded at its top; below that a weight of bone where `weight` (20 g).

@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <ctime>
+
 #include "simcore/author/Overlaps.h"
 #include "simcore/check/ScaleJoint.h"
+#include "simcore/mesh/Isosurface.h"
+#include "simcore/mesh/Simplify.h"
 #include "simcore/scene/JointFile.h"
 #include "tests/simcore/check/Faults.h"
 
@@ -181,6 +186,52 @@ TEST(FixProblem, overlapsAreSeparatedByCagesAndProven) {
   const auto stopped = fixProblem(joint, *problemOf(problems, ProblemKind::Overlap), [](double) { return false; });
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().fault, Fault::Cancelled);
+}
+
+/// A ball in half a shell with 0.5 mm of room, in too few triangles to keep it.
+Joint coarseHip() {
+  Joint joint;
+  joint.id = joint.name = "hip";
+  scenes::addMaterials(joint);
+  const auto add = [&](const char* id, const ScalarField& field) {
+    Part part;
+    part.id = part.name = id;
+    part.number = static_cast<int>(joint.parts.size()) + 1;
+    part.materials = {{"bone", ""}};
+    part.visual = std::make_shared<const TriMesh>(isosurface(field, Box3(Vec3::Constant(-0.033), Vec3::Constant(0.033)), 0.0025));
+    part.collision = std::make_shared<const TriMesh>(*simplify(*part.visual, 200));
+    joint.parts.push_back(part);
+  };
+  add("cup", [](const Vec3& p) { return std::max({p.norm() - 0.03, 0.0245 - p.norm(), p.y() - 0.002}); });
+  add("ball", [](const Vec3& p) { return p.norm() - 0.024; });
+  return joint;
+}
+
+TEST(FixProblem, bonesTooCoarseForTheirGapAreSimplifiedAgain) {
+  const Joint joint = coarseHip();
+  ProblemFinder finder;
+  const auto found = finder.find(joint);
+  ASSERT_TRUE(found.ok());
+  const Problem* overlap = problemOf(found->problems, ProblemKind::Overlap);
+  ASSERT_NE(overlap, nullptr) << "the case itself";
+  EXPECT_TRUE(overlap->parts.empty());
+  ASSERT_TRUE(overlap->rigid);
+  ASSERT_GT(overlap->rigid->triangles, 200);
+  ASSERT_TRUE(canFix(*overlap));
+  const auto fixed = fixProblem(joint, *overlap);
+  ASSERT_TRUE(fixed.ok()) << toLogLine(fixed.error());
+  EXPECT_FALSE(has(findProblems(*fixed), ProblemKind::Overlap)) << "what is advised holds";
+  EXPECT_EQ(fixed->parts[0].visual, joint.parts[0].visual);
+
+  // Looked at again nothing is tried again.
+  const std::clock_t begin = std::clock();
+  const auto again = finder.find(joint);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 1.0);
+  EXPECT_EQ(problemOf(again->problems, ProblemKind::Overlap)->rigid, overlap->rigid);
+
+  Joint painted = joint;
+  painted.parts[0].regions.push_back({"rim", "", "", SurfaceKind::Collision, {{0, 3}}});
+  EXPECT_FALSE(fixProblem(painted, *overlap).ok()) << "a region would lie elsewhere";
 }
 
 TEST(FixProblem, theProofIsRecordedOrRenewed) {

@@ -5,11 +5,11 @@
 
 #include "simcore/base/Math.h"
 
-/// Implicit shapes that the generator models bones with: a field is negative inside, roughly a distance near
+/// Implicit shapes that bones are modelled with: a field is negative inside, roughly a distance near
 /// its surface, positive outside. Not for use in a step: std::function and finite differences.
-/// Frame W of the joint, but in millimetres (the generator turns to metres when it writes).
+/// Frame W of the joint, but in millimetres (whoever writes them turns to metres).
 /// Source of the polynomial smooth minimum: Inigo Quilez, "Smooth minimum" (his formula, our code).
-namespace glenoid::generate {
+namespace glenoid::shape {
 
 using Field = std::function<double(const Vec3&)>;
 
@@ -82,4 +82,4 @@ Vec3 project(const Field& field, Vec3 p, double offset = 0);
 /// unit vector.
 Vec3 settle(const Field& field, Vec3 p, const Vec3& direction, double clearance, double reach);
 
-}  // namespace glenoid::generate
+}  // namespace glenoid::shape

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "resources/generate/Relax.h"
+#include "simcore/shape/Relax.h"
 
-namespace glenoid::generate {
+namespace glenoid::shape {
 
 void relax(TriMesh& mesh, const Field& field, int rounds) {
   for (int round = 0; round < rounds; ++round) {
@@ -14,4 +14,4 @@ void relax(TriMesh& mesh, const Field& field, int rounds) {
   }
 }
 
-}  // namespace glenoid::generate
+}  // namespace glenoid::shape

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "resources/generate/Tube.h"
+#include "simcore/shape/Tube.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace glenoid::generate {
+namespace glenoid::shape {
 
 namespace {
 
@@ -173,4 +173,4 @@ void keepClear(TriMesh& mesh, const Field& obstacle, double clearance) {
   }
 }
 
-}  // namespace glenoid::generate
+}  // namespace glenoid::shape

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "resources/generate/Field.h"
+#include "simcore/shape/Field.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace glenoid::generate {
+namespace glenoid::shape {
 
 namespace {
 
@@ -261,4 +261,4 @@ Vec3 settle(const Field& field, Vec3 p, const Vec3& direction, double clearance,
   return p;
 }
 
-}  // namespace glenoid::generate
+}  // namespace glenoid::shape

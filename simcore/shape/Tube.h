@@ -2,12 +2,12 @@
 #pragma once
 #include <vector>
 
-#include "resources/generate/Field.h"
+#include "simcore/shape/Field.h"
 #include "simcore/mesh/TriMesh.h"
 
 /// Soft parts and cords as tubes: sections along a curve, laid on bone where they should lie. Millimetres,
 /// frame W. The same path with few sections gives the collision surface and with many the visual one.
-namespace glenoid::generate {
+namespace glenoid::shape {
 
 /// A section's place and size; between stations everything goes along a Catmull–Rom curve.
 struct Station {
@@ -48,4 +48,4 @@ Station stationAt(const std::vector<Station>& stations, double s);
 /// must.
 void keepClear(TriMesh& mesh, const Field& obstacle, double clearance);
 
-}  // namespace glenoid::generate
+}  // namespace glenoid::shape
