@@ -4,7 +4,9 @@
 #include <cstdio>
 
 #include "app/commands/Console.h"
+#include "editor/core/ProblemSentences.h"
 #include "simcore/author/BuildJoint.h"
+#include "simcore/check/StartWarnings.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
 
@@ -33,6 +35,9 @@ void printStart(const SeparationOutcome& start, const Joint& joint) {
   for (const Overlap& overlap : start.check.overlaps)
     std::printf("start: %s and %s still cut each other in %zu places, %.2f mm deep\n", joint.parts[overlap.partA].id.c_str(),
                 joint.parts[overlap.partB].id.c_str(), overlap.cuts.size(), overlap.depth * 1e3);
+  const auto warnings = startWarnings(joint);
+  if (!warnings) return;  // the cages were just used: nothing can fail here that did not fail before
+  for (const Problem& problem : *warnings) std::printf("start: warning: %s\n", sentenceOf(problem, joint).toUtf8().constData());
 }
 
 }  // namespace

@@ -242,6 +242,8 @@ bool canFix(const Problem& problem) {
     case ProblemKind::PartLoose:
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
+    case ProblemKind::CageMovesFar:
+    case ProblemKind::CageSqueezes:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: return false;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simcore/scene/Cage.h"
+#include "simcore/scene/JointSide.h"
 #include "simcore/scene/Material.h"
 #include "simcore/scene/Part.h"
 
@@ -58,11 +59,13 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
-/// What an author made. Values only: ids refer, nothing points. Frame W: X anterior, Y superior, Z lateral
-/// of a right shoulder, origin at the humeral head centre; metres.
+/// What an author made. Values only: ids refer, nothing points. Frame W: X anterior, Y superior, Z to the right of the
+/// body (lateral of a right joint, medial of a left one), origin at the joint's centre; metres.
 struct Joint {
   std::string id;    ///< slug
   std::string name;  ///< shown to people
+  std::string description = {};          ///< shown to people; may be empty
+  JointSide side = JointSide::Unsaid;    ///< of the body
   std::vector<Material> materials;
   std::vector<Part> parts;  ///< ascending by number
   std::vector<Coupling> couplings;

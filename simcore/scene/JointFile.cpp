@@ -79,6 +79,8 @@ JsonValue fromJoint(const Joint& joint, int version = schemaVersion(Schema::Join
   json.set("schemaVersion", version);
   json.set("id", joint.id);
   json.set("name", joint.name);
+  if (!joint.description.empty()) json.set("description", joint.description);
+  if (joint.side != JointSide::Unsaid) json.set("side", scene_words::wordOf(scene_words::kJointSides, joint.side));
   json.set("provenance", fromProvenance(joint.provenance));
   json.set("materials", listOf(joint.materials, fromMaterial));
   json.set("parts", listOf(joint.parts, fromPart));
@@ -94,6 +96,8 @@ Joint toJoint(const JsonValue& json) {
   Joint joint;
   joint.id = json["id"].text();
   joint.name = json["name"].text();
+  joint.description = json["description"].text();
+  joint.side = scene_words::valueOf(scene_words::kJointSides, json["side"].text(), joint.side);
   joint.materials = vectorOf(json["materials"], toMaterial);
   joint.parts = vectorOf(json["parts"], toPart);
   joint.couplings = vectorOf(json["couplings"], toCoupling);
