@@ -89,7 +89,10 @@ OwnFrame ownFrameOf(const std::vector<std::shared_ptr<const TriMesh>>& surfaces)
     double lopsided = axis.dot(byPart);
     if (std::abs(lopsided) < kEven * size) {
       lopsided = 0;
-      for (const Sample& s : samples) lopsided += s.area / area * std::pow(axis.dot(s.x - centre) / size, 3) * size;
+      for (const Sample& s : samples) {
+        const double d = axis.dot(s.x - centre) / size;
+        lopsided += s.area / area * d * d * d * size;
+      }
     }
     if (std::abs(lopsided) < kEven * size) {  // alike on both sides
       int largest = 0;
@@ -99,7 +102,9 @@ OwnFrame ownFrameOf(const std::vector<std::shared_ptr<const TriMesh>>& surfaces)
     frame.own_W.R.row(k) = (lopsided < 0 ? -axis : axis).transpose();
   }
   frame.own_W.t = -(frame.own_W.R * centre);
-  frame.grid = std::exp2(std::ceil(std::log2(size)) - kGridBits);
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  frame.grid = std::ldexp(1.0, exponent - kGridBits);
   return frame;
 }
 

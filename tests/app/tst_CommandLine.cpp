@@ -25,7 +25,7 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
 }
 
 TEST(CommandLine, everyCommandHasHelp) {
-  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "joint dents", "replay", "bench"}) {
+  for (const char* command : {"run", "render", "joint", "joint info", "joint check", "joint build", "joint dents", "joint mirror", "replay", "bench"}) {
     const Outcome outcome = glenoidProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_GT(lineCount(outcome.out), 5) << command;
@@ -64,6 +64,9 @@ TEST(CommandLine, badUsageGetsOneSentence) {
   expectOneSentence("render builtin:shoulder --out x.png --part elbow", "elbow");
   expectOneSentence("joint", "subcommand");
   expectOneSentence("joint polish builtin:shoulder", "polish");
+  expectOneSentence("joint mirror builtin:shoulder", "--out");
+  expectOneSentence("joint mirror builtin:shoulder --out x.scenario.json", ".joint");
+  expectOneSentence("joint mirror builtin:arthroscopy --out x.joint", ".scenario.json");
   expectOneSentence("replay", "RECORDING");
   expectOneSentence("bench --sections growth,speed", "speed");
 }
@@ -74,6 +77,7 @@ TEST(CommandLine, whatIsNotThereGetsOneSentence) {
   expectOneSentence("run builtin:arthroscopy --steps 1 --input nowhere.recording", "nowhere.recording");
   expectOneSentence("joint info nowhere.joint", "nowhere.joint");
   expectOneSentence("joint check builtin:elbow", "elbow");
+  expectOneSentence("joint mirror nowhere.joint --out x.joint", "nowhere.joint");
   expectOneSentence("replay nowhere.recording", "nowhere.recording");
   expectOneSentence("render nowhere.joint --out x.png", "nowhere.joint");
   expectOneSentence("nowhere.scenario.json", "nowhere.scenario.json");

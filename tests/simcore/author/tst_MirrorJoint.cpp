@@ -58,7 +58,7 @@ std::string bytesOf(const std::filesystem::path& folder) {
 }
 
 TEST(MirrorJoint, twiceGivesTheSameFilesByteForByte) {
-  const test::TemporaryFolder folder;
+  const TemporaryFolder folder;
   for (const Joint& joint : {freed(), sampleJoint()}) {
     const std::string here = folder.path(joint.id + "-here.joint"), there = folder.path(joint.id + "-there.joint"),
                       back = folder.path(joint.id + "-back.joint");

@@ -80,6 +80,8 @@ TEST(JointFile, theHashSeesEveryValueAndEveryMesh) {
       [](Joint& j) { j.parts[1].regions[0].triangles[0].count = 2; },
       [](Joint& j) { j.couplings[0].damping = 0; },
       [](Joint& j) { j.exclusions.clear(); },
+      [](Joint& j) { j.side = JointSide::Right; },
+      [](Joint& j) { j.description.clear(); },
       [](Joint& j) { j.bursae[0].roof[0].region = "head"; },
       [](Joint& j) { j.cages[0].moved_W[0].x() = std::nextafter(j.cages[0].moved_W[0].x(), 1); },
       [](Joint& j) { j.startProof->cuts = 1; },
