@@ -112,6 +112,7 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
     std::vector<std::shared_ptr<const TriMesh>> surfaces;
     for (const PartRecipe* part : parts) surfaces.push_back(part->visual);
     own = ownFrameOf(surfaces);
+    joint.axes_W = own->own_W.R;
   }
 
   // Simplifying, separating and cutting cells take about equal shares of the time, freeing the start about as much as

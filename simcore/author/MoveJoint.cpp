@@ -61,6 +61,8 @@ TetMesh movedMesh(const TetMesh& mesh, const Isometry& motion) {
 
 Joint movedJoint(const Joint& joint, const Isometry& motion) {
   Joint moved = joint;
+  const Isometry turn{motion.R, Vec3::Zero()};
+  for (int row = 0; row < 3; ++row) moved.axes_W.row(row) = (turn * joint.axes_W.row(row).transpose()).transpose();
   SurfaceMover surface(motion);
   for (Part& part : moved.parts) {
     part.visual = surface(part.visual);

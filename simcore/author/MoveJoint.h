@@ -15,7 +15,7 @@ struct Isometry {
   Isometry inverse() const { return {R.transpose(), -(R.transpose() * t)}; }
 };
 
-/// Everything of a joint that has a place, elsewhere: meshes, landmarks, cages, the places of dents. Where the motion mirrors,
+/// Everything of a joint that has a place or a direction, elsewhere: meshes, landmarks, cages, the places of dents, its axes. Where the motion mirrors,
 /// triangles are wound the other way round and tetrahedra numbered so, that surfaces look outwards and volumes are positive;
 /// vertices, triangles and tetrahedra keep their order, so regions hold. Meshes that parts share stay shared. What was
 /// counted or computed on the joint (the proof of its start, its dents) stays with it where it held.

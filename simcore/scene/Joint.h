@@ -66,6 +66,10 @@ struct Joint {
   std::string name;  ///< shown to people
   std::string description = {};          ///< shown to people; may be empty
   JointSide side = JointSide::Unsaid;    ///< of the body
+  /// Rows: the directions in W along which a run takes what is computed of the joint and needs directions (the integration
+  /// points of couplings). Orthogonal, of either hand; W's own unless the joint was built in a frame of its own or mirrored.
+  /// A joint and these turned together run alike.
+  Mat3 axes_W = Mat3::Identity();
   std::vector<Material> materials;
   std::vector<Part> parts;  ///< ascending by number
   std::vector<Coupling> couplings;

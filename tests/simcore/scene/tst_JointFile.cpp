@@ -82,6 +82,7 @@ TEST(JointFile, theHashSeesEveryValueAndEveryMesh) {
       [](Joint& j) { j.exclusions.clear(); },
       [](Joint& j) { j.side = JointSide::Right; },
       [](Joint& j) { j.description.clear(); },
+      [](Joint& j) { j.axes_W = Mat3::Identity(); },
       [](Joint& j) { j.bursae[0].roof[0].region = "head"; },
       [](Joint& j) { j.cages[0].moved_W[0].x() = std::nextafter(j.cages[0].moved_W[0].x(), 1); },
       [](Joint& j) { j.startProof->cuts = 1; },
