@@ -163,7 +163,7 @@ Scenario busyScenario() {
   Tool probe;
   probe.id = "probe";
   probe.name = "Probe of the left hand";
-  probe.home.p_WB = Vec3(0.01, 0.005, 0.034);
+  probe.home.p_WB = Vec3(0.01, 0.005, 0.15);  // its facets are no mirror image of themselves: it touches nothing
   probe.home.q_WB = Quat(Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()));
   scenario.tools = {probe};
   scenario.cameras = {{"front", "From the left", Vec3(0.3, 0.1, 0.2), Vec3(0, 0, 0.01), Vec3(0, 1, 0.1), 0.5}};
