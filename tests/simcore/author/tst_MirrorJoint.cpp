@@ -95,7 +95,9 @@ TEST(MirrorJoint, everythingThatHasAPlaceIsMirrored) {
     // The cells that elements are made of are found again.
     const auto cells = groupIntoCells(*a.volume), others = groupIntoCells(*b.volume);
     ASSERT_EQ(cells.ok(), others.ok());
-    if (cells.ok()) EXPECT_EQ(cells->cells.size(), others->cells.size());
+    if (cells.ok()) {
+      EXPECT_EQ(cells->cells.size(), others->cells.size());
+    }
   }
   ASSERT_FALSE(joint.cages.empty());
   for (std::size_t c = 0; c < joint.cages.size(); ++c) {
