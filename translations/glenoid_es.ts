@@ -1111,6 +1111,10 @@
         <source>Progress</source>
         <translation>Progreso</translation>
     </message>
+    <message>
+        <source>Medial:</source>
+        <translation>Medial:</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::CouplingPanel</name>
@@ -2172,6 +2176,41 @@
     </message>
 </context>
 <context>
+    <name>glenoid::JointEdits</name>
+    <message>
+        <source>Rename the joint to “%1”</source>
+        <translation>Cambiar el nombre de la articulación a «%1»</translation>
+    </message>
+    <message>
+        <source>Describe the joint</source>
+        <translation>Describir la articulación</translation>
+    </message>
+    <message>
+        <source>Change the licence of the joint</source>
+        <translation>Cambiar la licencia de la articulación</translation>
+    </message>
+    <message>
+        <source>Say who made the joint</source>
+        <translation>Decir quién hizo la articulación</translation>
+    </message>
+    <message>
+        <source>Make it a left joint</source>
+        <translation>Hacerla una articulación izquierda</translation>
+    </message>
+    <message>
+        <source>Make it a right joint</source>
+        <translation>Hacerla una articulación derecha</translation>
+    </message>
+    <message>
+        <source>Make it a joint of no side</source>
+        <translation>Dejar la articulación sin lado</translation>
+    </message>
+    <message>
+        <source>Mirror the joint</source>
+        <translation>Reflejar la articulación</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::LayersPanel</name>
     <message>
         <source>Visual</source>
@@ -2848,6 +2887,14 @@
         <source>There is something in %1 already. Choose a new folder.</source>
         <translation>Ya hay algo en %1. Elija una carpeta nueva.</translation>
     </message>
+    <message>
+        <source>&amp;Mirror the joint</source>
+        <translation>Refle&amp;jar la articulación</translation>
+    </message>
+    <message>
+        <source>Make the joint of the other side of the body: meshes, regions, cages, landmarks, tools and cameras</source>
+        <translation>Hacer la articulación del otro lado del cuerpo: mallas, regiones, jaulas, puntos de referencia, herramientas y cámaras</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeSentences</name>
@@ -3337,6 +3384,14 @@
         <source>The spring that holds “%1” would swing %2 times a second, and steps this long damp it out at once. Steps of %3 ms or less show it swing; otherwise soften the spring or give it the damping that is meant.</source>
         <translation>El muelle que sujeta «%1» oscilaría %2 veces por segundo, y pasos tan largos lo amortiguan de inmediato. Con pasos de %3 ms o menos se lo ve oscilar; si no, ablande el muelle o dele la amortiguación que se pretende.</translation>
     </message>
+    <message>
+        <source>The cage moves “%1” by up to %2 mm, farther than the part is thick (%3 mm): it may start on the wrong side of a neighbour. Look at its start, and move the cage by hand or bring better surfaces in.</source>
+        <translation>La jaula mueve «%1» hasta %2 mm, más que el grosor de la pieza (%3 mm): puede empezar en el lado equivocado de una vecina. Mire su comienzo y mueva la jaula a mano o traiga superficies mejores.</translation>
+    </message>
+    <message>
+        <source>The cage squeezes “%1”: %2 tetrahedra keep less than %3 % of their volume, the worst (number %4) keeps %5 %. They will push back when the run begins. Use a smaller clearance or a cage with more handles.</source>
+        <translation>La jaula aprieta «%1»: %2 tetraedros conservan menos del %3 % de su volumen, el peor (número %4) conserva el %5 %. Empujarán cuando empiece la simulación. Use una holgura menor o una jaula con más tiradores.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::ProblemsPanel</name>
@@ -3414,10 +3469,6 @@
     <message>
         <source>Scene</source>
         <translation>Escena</translation>
-    </message>
-    <message>
-        <source>Joint:</source>
-        <translation>Articulación:</translation>
     </message>
     <message>
         <source>Parts:</source>
@@ -3734,6 +3785,62 @@
     <message>
         <source>Whether the part may fold onto itself without passing through; it costs time in every step</source>
         <translation>Si la parte puede plegarse sobre sí misma sin atravesarse; cuesta tiempo en cada paso</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Articulación</translation>
+    </message>
+    <message>
+        <source>Name of the joint</source>
+        <translation>Nombre de la articulación</translation>
+    </message>
+    <message>
+        <source>Description:</source>
+        <translation>Descripción:</translation>
+    </message>
+    <message>
+        <source>What the joint is and what it is for</source>
+        <translation>Qué es la articulación y para qué sirve</translation>
+    </message>
+    <message>
+        <source>Author:</source>
+        <translation>Autoría:</translation>
+    </message>
+    <message>
+        <source>Who made the joint</source>
+        <translation>Quién hizo la articulación</translation>
+    </message>
+    <message>
+        <source>Licence:</source>
+        <translation>Licencia:</translation>
+    </message>
+    <message>
+        <source>Under which terms the joint may be used, such as CC-BY-4.0</source>
+        <translation>En qué condiciones se puede usar la articulación, por ejemplo CC-BY-4.0</translation>
+    </message>
+    <message>
+        <source>Side:</source>
+        <translation>Lado:</translation>
+    </message>
+    <message>
+        <source>Side of the body</source>
+        <translation>Lado del cuerpo</translation>
+    </message>
+    <message>
+        <source>On which side of the body the joint lies: lateral and medial follow it. Edit ▸ Mirror the joint makes the joint of the other side.</source>
+        <translation>En qué lado del cuerpo está la articulación: lateral y medial lo siguen. Editar ▸ Reflejar la articulación hace la del otro lado.</translation>
+    </message>
+    <message>
+        <source>none said</source>
+        <translation>sin indicar</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "app/commands/Console.h"
+#include "editor/core/ProblemSentences.h"
 #include "simcore/author/BuildJoint.h"
 #include "simcore/author/RigidAdvice.h"
+#include "simcore/check/StartWarnings.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
 
@@ -51,6 +53,9 @@ void printStart(const SeparationOutcome& start, const Joint& joint) {
                 overlap.depth * 1e3);
     if (a.kind == PartKind::Rigid && b.kind == PartKind::Rigid) printAdvice(a, b);
   }
+  const auto warnings = startWarnings(joint);
+  if (!warnings) return;  // the cages were just used: nothing can fail here that did not fail before
+  for (const Problem& problem : *warnings) std::printf("start: warning: %s\n", sentenceOf(problem, joint).toUtf8().constData());
 }
 
 /// Collision surfaces that push the wrong way; whether there are any.

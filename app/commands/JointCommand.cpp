@@ -10,6 +10,7 @@
 #include "app/commands/Console.h"
 #include "app/commands/JointPack.h"
 #include "app/commands/JointReport.h"
+#include "app/commands/MirrorFile.h"
 #include "app/commands/OpenScene.h"
 #include "simcore/author/MakeDents.h"
 #include "simcore/scene/JointFile.h"
@@ -78,7 +79,7 @@ Result<Done> dents(const std::string& word, const std::string& out) {
 }  // namespace
 
 void addJointCommand(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("joint", "Begin a joint, build it from surfaces, look at it, check it, pack it in one file");
+  CLI::App* command = app.add_subcommand("joint", "Begin a joint, build it from surfaces, look at it, check it, mirror it, pack it in one file");
   command->require_subcommand(1);
   struct Wishes {
     std::string joint, recipe, meshes, out, kind = starterKinds().front().name;
@@ -105,6 +106,11 @@ void addJointCommand(CLI::App& app, int& status) {
   dentsCommand->add_option("JOINT", wishes->joint, "A .joint folder, a .jointz file or builtin:shoulder")->required();
   dentsCommand->add_option("--out", wishes->out, "The .joint folder or .jointz file to write; may be the same")->required();
   dentsCommand->callback([=] { finish(dents(wishes->joint, wishes->out)); });
+
+  CLI::App* mirrorCommand = command->add_subcommand("mirror", "Make the joint of the other side of the body: its mirror image in the sagittal plane, z = 0");
+  mirrorCommand->add_option("JOINT", wishes->joint, "A .joint folder, builtin:shoulder, or a scenario, which is mirrored with its joint and recording")->required();
+  mirrorCommand->add_option("--out", wishes->out, "The .joint folder to write; of a scenario the .scenario.json")->required();
+  mirrorCommand->callback([=] { finish(mirrorFile(wishes->joint, wishes->out)); });
 
   CLI::App* buildCommand = command->add_subcommand("build", "Simplify, embed and bind surfaces as a recipe says");
   buildCommand->add_option("RECIPE", wishes->recipe, "A recipe, JSON")->required();

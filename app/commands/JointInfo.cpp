@@ -6,6 +6,7 @@
 #include "app/commands/JointReport.h"
 #include "app/commands/JsonObject.h"
 #include "simcore/reading/Readings.h"
+#include "simcore/scene/SceneWords.h"
 
 namespace glenoid {
 namespace {
@@ -118,13 +119,27 @@ std::string plainText(const std::vector<PartReport>& parts) {
   return out;
 }
 
+/// Side, licence and description as far as they are said.
+std::string aboutText(const Joint& joint) {
+  std::string out;
+  const auto line = [&](const char* what, const std::string& words) {
+    if (!words.empty()) out += text("%-12s ", what) + words + "\n";
+  };
+  line("side:", scene_words::wordOf(scene_words::kJointSides, joint.side));
+  line("licence:", joint.provenance.license);
+  line("author:", joint.provenance.author);
+  line("description:", joint.description);
+  return out;
+}
+
 }  // namespace
 
 std::string jointInfoText(const Model& model) {
   const Joint& joint = model.joint;
   const std::vector<PartReport> parts = partReports(model);
-  std::string out = text("%s: %zu parts, %zu couplings, hash %s\n\n", joint.name.c_str(), joint.parts.size(),
+  std::string out = text("%s: %zu parts, %zu couplings, hash %s\n", joint.name.c_str(), joint.parts.size(),
                          joint.couplings.size(), model.jointHash.c_str());
+  out += aboutText(joint) + "\n";
   out += isPublishedShoulder(joint) ? publishedText(model, parts) : plainText(parts);
   out += bodiesText(model, parts);
   out += text("\n%-7s %-40s %-42s %7s %13s %9s\n", "between", "coupling", "region", "springs", "stiffness N/m", "area mm²");
@@ -166,8 +181,10 @@ std::string jointInfoJson(const Model& model) {
     couplings.append(jsonObject({{"id", row.coupling->id}, {"partA", row.coupling->partA}, {"partB", row.coupling->partB},
                                  {"regionA", row.coupling->regionA}, {"springs", row.springs}, {"stiffness", row.stiffness},
                                  {"stiffnessPerArea", row.coupling->stiffnessPerArea}}));
-  return toText(jsonObject({{"id", joint.id}, {"name", joint.name}, {"hash", model.jointHash}, {"parts", parts},
-                            {"couplings", couplings}}));
+  const std::string side = scene_words::wordOf(scene_words::kJointSides, joint.side);
+  return toText(jsonObject({{"id", joint.id}, {"name", joint.name}, {"description", joint.description},
+                            {"side", side.empty() ? Json() : Json(side)}, {"license", joint.provenance.license},
+                            {"hash", model.jointHash}, {"parts", parts}, {"couplings", couplings}}));
 }
 
 }  // namespace glenoid

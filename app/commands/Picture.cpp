@@ -34,7 +34,7 @@ Result<View> chooseView(const Model& model, const std::string& name, const Box3&
   const std::vector<Camera>& cameras = model.scenario.cameras;
   for (const Camera& camera : cameras)
     if (camera.id == name) return framePart ? framed(viewOf(camera), box, aspect) : viewOf(camera);
-  if (const auto side = sideNamed(name)) return viewFrom(*side, box, aspect);
+  if (const auto side = sideNamed(name)) return viewFrom(*side, box, aspect, 0.5, model.joint.side);
   if (!name.empty()) return unknown(name, "camera");
   if (framePart || cameras.empty()) return viewFrom(Side::Anterior, box, aspect);
   return viewOf(cameras.front());

@@ -57,7 +57,7 @@ void addRenderCommand(CLI::App& app, int& status) {
   command->add_option("--out", wishes->picture.out, "PNG to write")->required();
   command->add_option("--size", wishes->size, "WIDTHxHEIGHT in pixels [1280x960]");
   command->add_option("--camera", wishes->picture.camera,
-                      "One of the scenario's cameras, or anterior, posterior, lateral, medial, superior, inferior");
+                      "One of the scenario's cameras, or anterior, posterior, lateral, medial (by the side of the joint), superior, inferior");
   command->add_option("--layers", wishes->picture.layers,
                       "Such as visual,contacts; of visual, collision, dynamics, couplings, contacts, tools, regions, labels");
   command->add_option("--time", wishes->time, "Run the scenario so far first, s")->check(CLI::NonNegativeNumber);

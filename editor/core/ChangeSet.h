@@ -9,6 +9,7 @@ namespace glenoid {
 struct ChangeSet {
   bool everything = false;  ///< another scene: forget all ids
   bool model = false;       ///< what the simulation computes has changed: compile again
+  bool restart = false;     ///< where things were means nothing now: the run begins anew
   bool settings = false;    ///< profile, effects, time step
   std::set<std::string> parts, materials, couplings;
 };

@@ -32,7 +32,7 @@ std::shared_ptr<const FrozenScene> FrozenScene::of(const Scene& scene, const Fro
   made->m_parts = frozen(scene.joint.parts, near ? &near->m_parts : nullptr, samePart);
   made->m_cages = frozen(scene.joint.cages, near ? &near->m_cages : nullptr, [](const Cage& a, const Cage& b) { return a == b; });
   const Joint& joint = scene.joint;
-  made->m_rest = {{joint.id, joint.name, joint.materials, {}, joint.couplings, joint.exclusions, joint.bursae, {}, joint.startProof,
+  made->m_rest = {{joint.id, joint.name, joint.description, joint.side, joint.axes_W, joint.materials, {}, joint.couplings, joint.exclusions, joint.bursae, {}, joint.startProof,
                    joint.provenance},
                   scene.scenario, scene.input};
   return made;

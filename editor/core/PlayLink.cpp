@@ -33,7 +33,7 @@ void PlayLink::look() {
 }
 
 void PlayLink::onChanged(const ChangeSet& changes) {
-  if (changes.everything) {
+  if (changes.everything || changes.restart) {
     m_wishes.clear();
     m_simulation.setHands(m_wishes);
     m_simulation.pause();

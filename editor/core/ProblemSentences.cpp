@@ -149,6 +149,14 @@ QString ProblemSentences::what() const {
                           {part, count, element, QLocale().toString(100 * p.figure, 'g', 2), percent(p.wanted)})
                  : filled(tr("The cage turns tetrahedra of “%1” inside out (too little volume: %2, the worst is number %3). Moving "
                              "the handles back to %4 % of their way is enough."), {part, count, element, percent(p.wanted)});
+    case ProblemKind::CageMovesFar:
+      return filled(tr("The cage moves “%1” by up to %2 mm, farther than the part is thick (%3 mm): it may start on the wrong side of "
+                       "a neighbour. Look at its start, and move the cage by hand or bring better surfaces in."),
+                    {part, millimetres(p.figure), millimetres(p.wanted)});
+    case ProblemKind::CageSqueezes:
+      return filled(tr("The cage squeezes “%1”: %2 tetrahedra keep less than %3 % of their volume, the worst (number %4) keeps %5 %. "
+                       "They will push back when the run begins. Use a smaller clearance or a cage with more handles."),
+                    {part, count, percent(p.wanted), element, percent(p.figure)});
     case ProblemKind::Overlap: {
       const std::initializer_list<QString> facts{part, other, count, millimetres(p.figure), p.rigid ? QLocale().toString(p.rigid->triangles) : QString(),
                                                  p.rigid ? millimetres(p.rigid->clearance) : QString()};
@@ -216,6 +224,8 @@ QString ProblemSentences::fix() const {
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
     case ProblemKind::StepTooLong:
+    case ProblemKind::CageMovesFar:
+    case ProblemKind::CageSqueezes:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: break;
   }

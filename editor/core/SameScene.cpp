@@ -35,7 +35,7 @@ bool samePart(const Part& a, const Part& b) {
 }
 
 bool sameJoint(const Joint& a, const Joint& b) {
-  return a.id == b.id && a.name == b.name && a.materials == b.materials && a.couplings == b.couplings &&
+  return a.id == b.id && a.name == b.name && a.description == b.description && a.side == b.side && a.axes_W == b.axes_W && a.materials == b.materials && a.couplings == b.couplings &&
          a.exclusions == b.exclusions && a.bursae == b.bursae && a.cages == b.cages && a.startProof == b.startProof &&
          a.provenance == b.provenance &&
          std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(), samePart);

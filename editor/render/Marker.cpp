@@ -31,14 +31,14 @@ std::vector<std::array<float, 4>> strokesOf(char letter) {
 }
 
 struct Arm {
-  Vec3 direction_W;
+  Vec3 direction_W;  ///< of a right joint
   char letter;
   std::array<float, 3> onLight, onDark;  ///< sRGB
 };
 
 }  // namespace
 
-MarkerLines markerLines(const View& view, double sizePx, bool dark) {
+MarkerLines markerLines(const View& view, double sizePx, bool dark, JointSide side) {
   static const Arm kArms[] = {{Vec3::UnitX(), 'A', {0.76f, 0.20f, 0.18f}, {0.96f, 0.45f, 0.41f}},
                               {-Vec3::UnitX(), 'P', {0.76f, 0.20f, 0.18f}, {0.96f, 0.45f, 0.41f}},
                               {Vec3::UnitY(), 'S', {0.16f, 0.50f, 0.22f}, {0.50f, 0.82f, 0.50f}},
@@ -51,9 +51,11 @@ MarkerLines markerLines(const View& view, double sizePx, bool dark) {
     Vec3 at;  ///< right, up, towards the viewer
   };
   std::vector<Seen> seen;
-  for (const Arm& arm : kArms)
-    seen.push_back({&arm, Vec3(arm.direction_W.dot(axes.right_W), arm.direction_W.dot(axes.up_W),
-                               arm.direction_W.dot(axes.back_W))});
+  for (const Arm& arm : kArms) {
+    Vec3 direction_W = arm.direction_W;
+    direction_W.z() *= lateralSign(side);
+    seen.push_back({&arm, Vec3(direction_W.dot(axes.right_W), direction_W.dot(axes.up_W), direction_W.dot(axes.back_W))});
+  }
   std::stable_sort(seen.begin(), seen.end(),
                    [](const Seen& a, const Seen& b) { return a.at.z() < b.at.z(); });
 

@@ -66,6 +66,7 @@ Result<Done> SceneRenderer::setScene(const Model& model) {
   if (!geometry) return geometry.error();
   if (auto set = in.evaluator.setScene(*geometry); !set) return set;
   in.scene = std::move(*geometry);
+  in.side = model.joint.side;
   in.boxedQ.resize(0);
   in.boxes.clear();
   in.presence.clear();
@@ -262,7 +263,7 @@ void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look,
 
 void SceneRenderer::Inside::drawMarker(const View& view, const Look& look, const Target& target) {
   const double size = markerSize(look, target);
-  const MarkerLines marker = markerLines(view, size, look.dark);
+  const MarkerLines marker = markerLines(view, size, look.dark, side);
   painter.beginPixels(target.width, target.height);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

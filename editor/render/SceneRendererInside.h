@@ -49,6 +49,7 @@ struct SceneRenderer::Inside {
   GlVertexArray empty;                     ///< for passes that need no attribute
 
   SceneGeometry scene;
+  JointSide side = JointSide::Unsaid;  ///< of the joint, for the marker
   VecX boxedQ;              ///< q for which boxes hold
   std::vector<Box3> boxes;  ///< by object, W, all its surfaces
 

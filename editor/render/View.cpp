@@ -113,7 +113,7 @@ std::optional<Side> sideNamed(std::string_view name) {
   return std::nullopt;
 }
 
-View viewFrom(Side side, const Box3& box_W, double aspect, double fieldOfView) {
+View viewFrom(Side side, const Box3& box_W, double aspect, double fieldOfView, JointSide of) {
   Vec3 back = Vec3::UnitX(), up = Vec3::UnitY();
   switch (side) {
     case Side::Anterior:
@@ -122,10 +122,10 @@ View viewFrom(Side side, const Box3& box_W, double aspect, double fieldOfView) {
       back = -Vec3::UnitX();
       break;
     case Side::Lateral:
-      back = Vec3::UnitZ();
+      back = lateralSign(of) * Vec3::UnitZ();
       break;
     case Side::Medial:
-      back = -Vec3::UnitZ();
+      back = -lateralSign(of) * Vec3::UnitZ();
       break;
     case Side::Superior:
       back = Vec3::UnitY(), up = Vec3::UnitX();

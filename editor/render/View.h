@@ -5,11 +5,12 @@
 #include <string_view>
 
 #include "simcore/base/Math.h"
+#include "simcore/scene/JointSide.h"
 #include "simcore/scene/Scenario.h"
 
 namespace glenoid {
 
-/// Where one looks from. Frame W: X anterior, Y superior, Z lateral; metres. Near and far planes are not
+/// Where one looks from. Frame W: X anterior, Y superior, Z to the right of the body; metres. Near and far planes are not
 /// kept: they follow from what is in the scene. A value: every motion answers a new view.
 struct View {
   Vec3 eye_W = Vec3(0.4, 0.1, 0.4);
@@ -40,13 +41,13 @@ View zoomedAt(const View& view, double factor, double x, double y, int widthPx, 
 /// Same direction, whole box in sight with a margin of 8 %. An empty box changes nothing.
 View framed(const View& view, const Box3& box_W, double aspect);
 
-/// Named directions of a right shoulder. The name says where the viewer stands.
+/// Named directions of a joint. The name says where the viewer stands; lateral and medial follow the joint's side.
 enum class Side { Anterior, Posterior, Lateral, Medial, Superior, Inferior };
 inline constexpr Side kSides[] = {Side::Anterior, Side::Posterior, Side::Lateral,
                                   Side::Medial,   Side::Superior,  Side::Inferior};
 const char* sideName(Side side);  ///< "anterior", …
 std::optional<Side> sideNamed(std::string_view name);
-View viewFrom(Side side, const Box3& box_W, double aspect, double fieldOfView = 0.5);
+View viewFrom(Side side, const Box3& box_W, double aspect, double fieldOfView = 0.5, JointSide of = JointSide::Unsaid);
 
 View viewOf(const Camera& camera);
 

@@ -114,6 +114,7 @@ void CagePanel::refresh() {
                     : count == 0 ? tr("%n handle(s); pick some in the view to move them.", nullptr,
                                       static_cast<int>(cage->rest_W.size()))
                                  : tr("%n handle(s) picked. Their mean shift from rest:", nullptr, count));
+  m_labels[4]->setText(lateralSign(joint.side) > 0 ? tr("Lateral:") : tr("Medial:"));  // along Z of the joint
   const Vec3 shift = count ? 1e3 * tool.meanShift() : Vec3(Vec3::Zero());
   for (int axis = 0; axis < 3; ++axis) {
     m_shift[axis]->setEnabled(count > 0);

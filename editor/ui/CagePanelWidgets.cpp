@@ -145,7 +145,7 @@ void CagePanel::retranslate() {
   const QStringList groups = {tr("Cage"), tr("Overlaps at the start")};
   for (std::size_t i = 0; i < m_groups.size(); ++i) m_groups[i]->setTitle(groups.value(static_cast<int>(i)));
   const QStringList labels = {tr("Around:"),   tr("Handles:"), tr("Anterior:"),
-                              tr("Superior:"), tr("Lateral:"), tr("Clearance:")};
+                              tr("Superior:"), QString(), tr("Clearance:")};
   for (std::size_t i = 0; i < m_labels.size(); ++i) m_labels[i]->setText(labels.value(static_cast<int>(i)));
   m_handles->setAccessibleName(tr("Number of handles of a new cage"));
   m_make->setText(tr("Make"));

@@ -225,7 +225,7 @@ void MainWindow::refreshRun() {
   QAction* play = m_actions[QStringLiteral("play")];
   if (play->isChecked() != snapshot.playing) play->setChecked(snapshot.playing);
   for (const char* id : {"play", "step", "reset"}) m_actions[QLatin1String(id)]->setEnabled(ready);
-  for (const char* id : {"saveAs", "exportJoint", "picture"}) m_actions[QLatin1String(id)]->setEnabled(open);
+  for (const char* id : {"saveAs", "exportJoint", "picture", "mirrorJoint"}) m_actions[QLatin1String(id)]->setEnabled(open);
   const QString busy = m_opening > 0            ? tr("Opening the scene…")
                        : m_link.isCompiling()   ? tr("Preparing the simulation…")
                        : !open                  ? tr("No scene is open")

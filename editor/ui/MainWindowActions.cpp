@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "editor/core/FieldText.h"
+#include "editor/core/JointEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/AuthorDocks.h"
@@ -120,6 +121,15 @@ void MainWindow::makeEditActions() {
   };
   connect(&m_selection, &Selection::changed, this, mayDelete);
   mayDelete();
+  m_actions.add("mirrorJoint", {}, {},
+                [] { return Actions::Words{tr("&Mirror the joint"), tr("Make the joint of the other side of the body: meshes, regions, cages, landmarks, tools and cameras")}; },
+                [this] {
+                  m_selection.clear();
+                  if (!mirrorJoint(m_document) || !m_view) return;
+                  View view = m_view->view();
+                  for (Vec3* each : {&view.eye_W, &view.target_W, &view.up_W}) each->z() = -each->z();
+                  m_view->setView(view);
+                });
   m_actions.add("selectNone", {}, {QKeySequence(Qt::Key_Escape)},
                 [] { return Actions::Words{tr("Select &nothing"), tr("Clear the selection")}; },
                 [this] { m_selection.clear(); });
@@ -272,7 +282,7 @@ void MainWindow::makeMenus() {
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
   fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});
-  fill(menu(), {"undo", "redo", "-", "deleteParts", "selectNone"});
+  fill(menu(), {"undo", "redo", "-", "deleteParts", "mirrorJoint", "selectNone"});
   QMenu* view = menu();
   fill(view, {"frame", "frameAll", "home"});
   m_sideMenu = view->addMenu(themedIcon("view"), QString());

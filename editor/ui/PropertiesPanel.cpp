@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/JointEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
@@ -121,8 +122,8 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
     if (part.volume) tets += part.volume->tets.size();
     if (part.visual) triangles += part.visual->triangles.size();
   }
+  showJoint(layout);
   QFormLayout* scene = group(layout, tr("Scene"));
-  scene->addRow(tr("Joint:"), label(anatomyName(joint.name)));
   scene->addRow(tr("Parts:"), label(number(joint.parts.size())));
   scene->addRow(tr("Visual triangles:"), label(number(triangles)));
   scene->addRow(tr("Tetrahedra:"), label(number(tets)));
@@ -138,6 +139,39 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
     state->setToolTip(effectReason(effect.reason));
     effects->addRow(tr("%1:").arg(effectName(effect.name)), state);
   }
+}
+
+void PropertiesPanel::showJoint(QVBoxLayout& layout) {
+  const Joint& joint = m_document.joint();
+  QFormLayout* form = group(layout, tr("Joint"));
+  const auto line = [&](const char* name, const QString& what, const QString& about, const std::string& value, bool (*set)(Document&, const QString&)) {
+    auto* made = new QLineEdit(text(value));
+    made->setObjectName(QLatin1String(name));
+    made->setAccessibleName(about);
+    made->setToolTip(about);
+    made->setCursorPosition(0);
+    connect(made, &QLineEdit::editingFinished, this, [this, made, set] { set(m_document, made->text().trimmed()); });
+    form->addRow(what, made);
+  };
+  line("jointName", tr("Name:"), tr("Name of the joint"), joint.name, renameJoint);
+  line("jointDescription", tr("Description:"), tr("What the joint is and what it is for"), joint.description, describeJoint);
+  line("jointAuthor", tr("Author:"), tr("Who made the joint"), joint.provenance.author, setJointAuthor);
+  line("jointLicence", tr("Licence:"), tr("Under which terms the joint may be used, such as CC-BY-4.0"), joint.provenance.license, setJointLicence);
+  form->addRow(tr("Side:"), sideBox());
+}
+
+QComboBox* PropertiesPanel::sideBox() {
+  auto* box = new QComboBox;
+  box->setObjectName(QStringLiteral("jointSide"));
+  box->setAccessibleName(tr("Side of the body"));
+  box->setToolTip(tr("On which side of the body the joint lies: lateral and medial follow it. Edit ▸ Mirror the joint makes the joint of the other side."));
+  box->setFocusPolicy(Qt::StrongFocus);
+  box->addItem(tr("none said"), static_cast<int>(JointSide::Unsaid));
+  box->addItem(tr("left"), static_cast<int>(JointSide::Left));
+  box->addItem(tr("right"), static_cast<int>(JointSide::Right));
+  box->setCurrentIndex(box->findData(static_cast<int>(m_document.joint().side)));
+  connect(box, &QComboBox::activated, this, [this, box] { setJointSide(m_document, static_cast<JointSide>(box->currentData().toInt())); });
+  return box;
 }
 
 /// Refreshed five times a second, as the figures of the status bar.

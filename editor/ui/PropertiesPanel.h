@@ -16,8 +16,8 @@ class QVBoxLayout;
 namespace glenoid {
 
 /// What is known about the selected part or tool, in millimetres and kilopascals; name, number and
-/// colour of a part, stiffnesses, loads, how it moves and whether it touches itself can be edited, each edit is one undo step. Without a selection: the scene as a whole,
-/// all its loads, whether its run is at rest, and its effects.
+/// colour of a part, stiffnesses, loads, how it moves and whether it touches itself can be edited, each edit is one undo step. Without a selection: the joint's name,
+/// description, licence, author and side, which can be edited too; the scene as a whole, all its loads, whether its run is at rest, and its effects.
 class PropertiesPanel : public QScrollArea {
   Q_OBJECT
  public:
@@ -29,6 +29,8 @@ class PropertiesPanel : public QScrollArea {
  private:
   void rebuild();
   void showScene(QVBoxLayout& layout);
+  void showJoint(QVBoxLayout& layout);
+  QComboBox* sideBox();
   void showPart(QVBoxLayout& layout, const Part& part);
   void showTool(QVBoxLayout& layout, const Tool& tool);
   QLabel* restLabel();

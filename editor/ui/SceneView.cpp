@@ -251,7 +251,10 @@ Box3 SceneView::boundsOf(const std::set<std::string>& ids) {
   return box;
 }
 
-void SceneView::lookFrom(Side side) { setView(viewFrom(side, boundsOf({}), aspect(), m_view.fieldOfView)); }
+void SceneView::lookFrom(Side side) {
+  const auto& model = m_link.snapshot().model;
+  setView(viewFrom(side, boundsOf({}), aspect(), m_view.fieldOfView, model ? model->joint.side : JointSide::Unsaid));
+}
 
 void SceneView::frameAll() { setView(framed(m_view, boundsOf({}), aspect())); }
 

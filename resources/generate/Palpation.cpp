@@ -109,6 +109,7 @@ JointRecipe palpationRecipe() {
   JointRecipe recipe = shoulderRecipe();
   recipe.id = "shoulder-superficial";
   recipe.name = "Right shoulder with deltoid and skin";
+  recipe.side = JointSide::Right;
   const Bones& bones = makeBones();
 
   Ground ground = groundOf(surfacesOf(recipe.parts[0]));

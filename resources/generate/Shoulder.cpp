@@ -130,6 +130,7 @@ JointRecipe madeShoulder() {
   JointRecipe recipe;
   recipe.id = "shoulder";
   recipe.name = "Right shoulder";
+  recipe.side = JointSide::Right;
   recipe.materials = shoulderMaterials();
   recipe.provenance = {"Glenoid Studio", "GPL-3.0-or-later",
                        "Modelled from published sizes and landmarks; see resources/generate",

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "simcore/author/NearCouplings.h"
+#include "simcore/author/OwnFrame.h"
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/mesh/Simplify.h"
 #include "simcore/repair/Untangled.h"
@@ -16,7 +17,15 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-Result<Part> surfacesOf(const PartRecipe& recipe) {
+/// Simplified and free of cuts through itself; where there is a frame, as a function of the shape alone.
+Result<TriMesh> simplified(const TriMesh& visual, int triangles, const std::optional<OwnFrame>& own) {
+  auto simple = simplify(own ? inOwnOrder(own->toOwn(visual)) : visual, triangles);
+  if (!simple) return simple;
+  TriMesh mesh = untangled(std::move(*simple));
+  return own ? own->toW(mesh) : mesh;
+}
+
+Result<Part> surfacesOf(const PartRecipe& recipe, const std::optional<OwnFrame>& own) {
   if (!recipe.visual)
     return Error{Fault::BadMesh, {{}, {}, recipe.id, {}}, {"no visual surface"}, "recipe of a part"};
   Part part;
@@ -36,28 +45,46 @@ Result<Part> surfacesOf(const PartRecipe& recipe) {
   } else if (recipe.collisionTriangles == 0) {
     part.collision = recipe.visual;
   } else {
-    auto simple = simplify(*recipe.visual, recipe.collisionTriangles);
+    auto simple = simplified(*recipe.visual, recipe.collisionTriangles, own);
     if (!simple) return inPart(simple.error(), recipe.id);
-    part.collision = std::make_shared<const TriMesh>(untangled(std::move(*simple)));
+    part.collision = std::make_shared<const TriMesh>(std::move(*simple));
   }
   return part;
 }
 
-Result<Done> cutVolume(const PartRecipe& recipe, Part& part) {
+Result<Done> cutVolume(const PartRecipe& recipe, const std::optional<OwnFrame>& own, Part& part) {
   if (recipe.kind == PartKind::Rigid) return Done{};
   part.elements = recipe.elements;
-  if (recipe.cellSize > 0) {
-    auto mesh = embedAlong(*part.visual, *part.collision, recipe.cellSize, recipe.axes);
-    if (!mesh) return inPart(mesh.error(), recipe.id);
-    part.volume = std::make_shared<const TetMesh>(std::move(*mesh));
-    part.cellSize = recipe.cellSize;
+  // Cells along W's axes are cut in W; all others go with the joint. In its own frame "along the axes" is along its own.
+  const bool inOwn = own && recipe.axes != GridAxes::World;
+  const TriMesh visual = inOwn ? own->toOwn(*part.visual) : *part.visual;
+  const TriMesh collision = inOwn ? own->toOwn(*part.collision) : *part.collision;
+  const GridAxes axes = recipe.axes.value_or(GridAxes::World);
+  const auto take = [&](TetMesh mesh, double cellSize) {
+    part.volume = std::make_shared<const TetMesh>(inOwn ? own->toW(mesh) : std::move(mesh));
+    part.cellSize = cellSize;
     return Done{};
+  };
+  if (recipe.cellSize > 0) {
+    auto mesh = embedAlong(visual, collision, recipe.cellSize, axes);
+    if (!mesh) return inPart(mesh.error(), recipe.id);
+    return take(std::move(*mesh), recipe.cellSize);
   }
-  auto choice = chooseCells(*part.visual, *part.collision, recipe.tetrahedra, recipe.axes);
+  auto choice = chooseCells(visual, collision, recipe.tetrahedra, axes);
   if (!choice) return inPart(choice.error(), recipe.id);
-  part.volume = std::make_shared<const TetMesh>(std::move(choice->mesh));
-  part.cellSize = choice->cellSize;
-  return Done{};
+  return take(std::move(choice->mesh), choice->cellSize);
+}
+
+/// separateCollision in the joint's own frame.
+Result<SeparationReport> separateInOwnFrame(Joint& joint, const OwnFrame& own, double clearance, int iterations) {
+  const Joint before = own.toOwn(joint);
+  Joint after = before;
+  auto report = separateCollision(after, clearance, iterations);
+  if (!report) return report;
+  for (std::size_t i = 0; i < joint.parts.size(); ++i)
+    if (after.parts[i].collision != before.parts[i].collision)
+      joint.parts[i].collision = std::make_shared<const TriMesh>(own.toW(*after.parts[i].collision));
+  return report;
 }
 
 }  // namespace
@@ -67,6 +94,8 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
   Joint joint;
   joint.id = recipe.id;
   joint.name = recipe.name;
+  joint.description = recipe.description;
+  joint.side = recipe.side;
   joint.materials = recipe.materials;
   joint.couplings = recipe.couplings;
   joint.exclusions = recipe.exclusions;
@@ -76,6 +105,15 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
   for (const PartRecipe& part : recipe.parts) parts.push_back(&part);
   std::stable_sort(parts.begin(), parts.end(),
                    [](const PartRecipe* a, const PartRecipe* b) { return a->number < b->number; });
+  // A start is trustworthy only where it does not depend on where the scan lies: then all that is derived from the surfaces
+  // is derived in a frame of their own.
+  std::optional<OwnFrame> own;
+  if (recipe.start) {
+    std::vector<std::shared_ptr<const TriMesh>> surfaces;
+    for (const PartRecipe* part : parts) surfaces.push_back(part->visual);
+    own = ownFrameOf(surfaces);
+    joint.axes_W = own->own_W.R;
+  }
 
   // Simplifying, separating and cutting cells take about equal shares of the time, freeing the start about as much as
   // all of that.
@@ -86,20 +124,21 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
 
   for (const PartRecipe* part : parts) {
     if (!goOn(part->id)) return cancelled;
-    auto made = surfacesOf(*part);
+    auto made = surfacesOf(*part, own);
     if (!made) return made.error();
     joint.parts.push_back(std::move(*made));
   }
   if (!goOn({})) return cancelled;
   SeparationReport separation;
   if (recipe.clearance > 0) {
-    auto separated = separateCollision(joint, recipe.clearance, recipe.separationIterations);
+    auto separated = own ? separateInOwnFrame(joint, *own, recipe.clearance, recipe.separationIterations)
+                         : separateCollision(joint, recipe.clearance, recipe.separationIterations);
     if (!separated) return separated.error();
     separation = std::move(*separated);
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (!goOn(parts[i]->id)) return cancelled;
-    if (const auto cut = cutVolume(*parts[i], joint.parts[i]); !cut) return cut.error();
+    if (const auto cut = cutVolume(*parts[i], own, joint.parts[i]); !cut) return cut.error();
   }
   for (const NearCoupling& near : recipe.nearCouplings)
     if (const auto bound = addNearCoupling(joint, near); !bound) return bound.error();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/author/OwnFrame.h"
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/Isosurface.h"
 #include "simcore/mesh/MeshHealth.h"
@@ -59,7 +60,11 @@ Result<Cage> makeCage(const Part& part, int handles) {
     return Error{Fault::Unusable, {{}, {}, part.id, {}}, {"only a soft part with tetrahedra can have a cage"}, {}};
   if (handles < 8 || handles > 2000)
     return Error{Fault::OutOfRange, {{}, {}, part.id, {}}, {std::to_string(handles), "8", "2000"}, {}};
-  const TriMesh boundary = compact(boundaryOf(*part.volume));
+  // In the part's own frame: the grid of the level set, and what is cut from it, go with the part.
+  const OwnFrame own = ownFrameOf({part.visual});
+  const TriMesh boundary = own.toOwn(compact(boundaryOf(*part.volume)));
+  std::vector<Vec3> nodes;
+  for (const Vec3& node : part.volume->nodes) nodes.push_back(own.own_W * node);
   const TriangleTree skin(boundary);
   const Box3 box = boundsOf(boundary);
   const double size = box.diagonal().norm();
@@ -76,13 +81,14 @@ Result<Cage> makeCage(const Part& part, int handles) {
     options.keepVolume = false;
     auto coarse = simplify(fine, 2 * (handles - 2 + 2 * health.genus), options);
     if (!coarse) continue;
-    holdAll(*coarse, part.volume->nodes, 0.3 * offset);
-    if (!healthOf(*coarse).healthy() || countSelfIntersections(*coarse) > 0 || !holdsAll(*coarse, part.volume->nodes)) continue;
+    holdAll(*coarse, nodes, 0.3 * offset);
+    if (!healthOf(*coarse).healthy() || countSelfIntersections(*coarse) > 0 || !holdsAll(*coarse, nodes)) continue;
     Cage cage;
     cage.id = part.id + "-cage";
     cage.part = part.id;
-    cage.triangles = coarse->triangles;
-    cage.rest_W = cage.moved_W = coarse->vertices;
+    const TriMesh placed = own.toW(*coarse);
+    cage.triangles = placed.triangles;
+    cage.rest_W = cage.moved_W = placed.vertices;
     return cage;
   }
   return Error{Fault::Unusable, {{}, {}, part.id, {}}, {"no cage of this size holds the whole part"}, {}};

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "simcore/author/MakeCage.h"
+#include "simcore/author/OwnFrame.h"
 #include "simcore/author/SeparationBody.h"
 #include "simcore/mesh/MeshHealth.h"
 
@@ -45,10 +46,6 @@ class Separation {
       }
     }
     finish(outcome);
-    auto check = checkStart(m_joint);
-    if (!check) return check.error();
-    outcome.check = std::move(*check);
-    m_joint.startProof = outcome.check.proof;
     return outcome;
   }
 
@@ -185,14 +182,42 @@ class Separation {
   std::map<std::array<int, 2>, Stuck> m_stuck;
 };
 
+/// The cage as it came out. One that was there before keeps its own rest, and what did not move of it stays to the bit.
+void takeOver(Joint& joint, const Cage& cage, const OwnFrame& own) {
+  const Isometry toW = own.own_W.inverse();
+  Cage out = cage;
+  if (const Cage* before = findCage(joint, cage.part)) {
+    out = *before;
+    for (std::size_t i = 0; i < out.rest_W.size(); ++i) {
+      const Vec3 moved = cage.moved_W[i], began = own.own_W * before->moved_W[i];
+      if ((moved - began).norm() > own.grid) out.moved_W[i] = toW * moved;
+    }
+  } else {
+    for (auto* handles : {&out.rest_W, &out.moved_W})
+      for (Vec3& handle : *handles) handle = toW * handle;
+    if (toW.mirrors())
+      for (auto& t : out.triangles) std::swap(t[1], t[2]);
+  }
+  putCage(joint, std::move(out));
+}
+
 }  // namespace
 
 Result<SeparationOutcome> separateStart(Joint& joint, const StartWishes& wishes, const SeparationProgress& progress) {
   if (!(wishes.clearance > 0) || !std::isfinite(wishes.clearance))
     return Error{Fault::OutOfRange, {}, {std::to_string(wishes.clearance), "0", "inf"}, "clearance of the start"};
+  // What happens along the way hangs on single contacts, so it must not see where W lies: it happens in the joint's own frame.
+  const OwnFrame own = ownFrameOf(joint);
+  Joint freed = own.toOwn(joint);
+  auto outcome = Separation(freed, wishes, progress).run();
+  if (!outcome) return outcome;
   Joint copy = joint;
-  auto outcome = Separation(copy, wishes, progress).run();
-  if (outcome) joint = std::move(copy);
+  for (const Cage& cage : freed.cages) takeOver(copy, cage, own);
+  auto check = checkStart(copy);
+  if (!check) return check.error();
+  outcome->check = std::move(*check);
+  copy.startProof = outcome->check.proof;
+  joint = std::move(copy);
   return outcome;
 }
 

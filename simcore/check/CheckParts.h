@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "simcore/author/Overlaps.h"
 #include "simcore/check/FindProblems.h"
 
 /// The pieces of a check; private to this folder.
@@ -53,10 +54,10 @@ void checkAtStart(Work& work);
 struct CrushedTets {
   double least = 1;
   long worst = -1;
-  int below = 0;  ///< how many are below kLeastVolumeRatio
+  int below = 0;  ///< how many are below the limit
 };
-CrushedTets crushedTets(const TetMesh& mesh, const std::vector<Vec3>& start_W);
-/// Longest part of the way from rest to where the handles stand that keeps the limit above, in steps of 1/64; 0 when
+CrushedTets crushedTets(const TetMesh& mesh, const std::vector<Vec3>& start_W, double limit = kLeastVolumeRatio);
+/// Longest part of the way from rest to where the handles stand that keeps kLeastVolumeRatio, in steps of 1/64; 0 when
 /// none does.
 double usableWay(const Joint& joint, const Cage& cage);
 

@@ -6,6 +6,7 @@
 
 #include "simcore/author/Overlaps.h"
 #include "simcore/check/CheckParts.h"
+#include "simcore/check/StartWarnings.h"
 #include "simcore/collide/Penetration.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/CageWeights.h"
@@ -33,6 +34,7 @@ std::optional<std::vector<Vec3>> nodesAtStart(Work& work, const Part& part) {
 void checkCage(Work& work, const Part& part, const std::vector<Vec3>& nodes) {
   const Cage* cage = findCage(work.joint, part.id);
   if (!cage) return;
+  for (Problem& problem : startWarnings(part, nodes)) work.report.problems.push_back(std::move(problem));
   const CrushedTets crushed = crushedTets(*part.volume, nodes);
   if (crushed.below == 0) return;
   Problem& problem = work.add(ProblemKind::CageCrushes, crushed.least > 0 ? Severity::Warning : Severity::Error, part.id);
@@ -181,11 +183,11 @@ Joint soundOnly(const Work& work, std::vector<std::size_t>& kept) {
   return sound;
 }
 
-CrushedTets crushedTets(const TetMesh& mesh, const std::vector<Vec3>& start_W) {
+CrushedTets crushedTets(const TetMesh& mesh, const std::vector<Vec3>& start_W, double limit) {
   CrushedTets crushed;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const double ratio = volumeAt(mesh.tets[t], start_W) / volumeAt(mesh.tets[t], mesh.nodes);
-    crushed.below += ratio < kLeastVolumeRatio;
+    crushed.below += ratio < limit;
     if (crushed.worst >= 0 && ratio >= crushed.least) continue;
     crushed.least = ratio;
     crushed.worst = static_cast<long>(t);

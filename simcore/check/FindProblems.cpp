@@ -34,6 +34,8 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::StepTooLong: return "step-too-long";
     case ProblemKind::CageUnusable: return "cage-unusable";
     case ProblemKind::CageCrushes: return "cage-crushes";
+    case ProblemKind::CageMovesFar: return "cage-moves-far";
+    case ProblemKind::CageSqueezes: return "cage-squeezes";
     case ProblemKind::Overlap: return "overlap";
     case ProblemKind::Swallowed: return "swallowed";
     case ProblemKind::ProofMissing: return "proof-missing";

@@ -261,6 +261,8 @@ bool canFix(const Problem& problem) {
     case ProblemKind::IslandLoose:
     case ProblemKind::WeightOverstretches:
     case ProblemKind::StepTooLong:
+    case ProblemKind::CageMovesFar:
+    case ProblemKind::CageSqueezes:
     case ProblemKind::SettingUnused:
     case ProblemKind::Unsound: return false;
   }

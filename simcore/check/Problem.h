@@ -39,6 +39,9 @@ enum class ProblemKind {
   CageUnusable,        ///< `error` says why
   CageCrushes,         ///< count: tetrahedra below the limit; element: the worst; figure: its volume at the start over
                        ///< that at rest; wanted: part of the handles' way that keeps the limit
+  CageMovesFar,        ///< figure: farthest vertex of the collision surface from rest, m; wanted: thickness of the part, m
+  CageSqueezes,        ///< count: tetrahedra below `wanted`, the ratio of volumes that is usual; element: the worst; figure: its
+                       ///< volume at the start over that at rest
   Overlap,             ///< count: pairs of triangles at the start; figure: deepest vertex, m; element: a triangle of
                        ///< `part`; parts: those of the two that are soft and can be moved by cages; `rigid` where none is
   Swallowed,           ///< `part` lies wholly inside `other` at the start; figure: deepest vertex, m

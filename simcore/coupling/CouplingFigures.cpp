@@ -41,7 +41,7 @@ Result<CouplingFigures> couplingFigures(const Joint& joint, int index,
   CouplingFigures figures;
   figures.springs = static_cast<int>(springs->size());
   for (const CouplingSpring& spring : *springs) figures.stiffness += spring.stiffness;
-  for (const RegionAnchor& anchor : regionAnchors({&a, Vec3::Zero()}, region, &b))
+  for (const RegionAnchor& anchor : regionAnchors({&a, Vec3::Zero()}, region, &b, joint.axes_W))
     figures.anchors_W.push_back(anchor.rest_W);
 
   const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *a.visual : *a.collision;

@@ -28,7 +28,7 @@ Piece pieceOf(std::vector<Triangle> triangles) {
   return piece;
 }
 
-/// Widest of the axes of W, the first of equals: round-off must not choose.
+/// Widest of the axes, the first of equals: round-off must not choose.
 int widestAxis(const AreaMoments& moments) {
   int widest = 0;
   for (int axis = 1; axis < 3; ++axis)
@@ -36,12 +36,12 @@ int widestAxis(const AreaMoments& moments) {
   return widest;
 }
 
-std::vector<Triangle> trianglesIn(const Part& part, const Region& region) {
+std::vector<Triangle> trianglesIn(const Part& part, const Region& region, const Mat3& axes_W = Mat3::Identity()) {
   const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *part.visual : *part.collision;
   std::vector<Triangle> triangles;
   for (const int index : trianglesOf(region)) {
     const auto& t = mesh.triangles[index];
-    triangles.push_back({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]});
+    triangles.push_back({axes_W * mesh.vertices[t[0]], axes_W * mesh.vertices[t[1]], axes_W * mesh.vertices[t[2]]});
   }
   return triangles;
 }
@@ -55,7 +55,7 @@ void takeCells(const Part* part, std::span<const Vec3> points, std::vector<doubl
     edges[i] = std::min(edges[i], plain::cubeRoot(6 * std::abs(tetVolume(*part->volume, tets[i]))));
 }
 
-std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, const Part* other) {
+std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, const Part* other, const Mat3& axes_W) {
   std::vector<Piece> pieces;
   pieces.push_back(pieceOf(std::move(triangles)));
   if (!(pieces[0].moments.area > 0)) return {};
@@ -63,7 +63,7 @@ std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, c
     more = false;
     std::vector<Vec3> centres;  // of those that may be cut
     for (const Piece& piece : pieces)
-      if (!piece.whole) centres.push_back(piece.moments.centre);
+      if (!piece.whole) centres.push_back(axes_W.transpose() * piece.moments.centre);
     std::vector<double> edges(centres.size(), 1e300);
     takeCells(&part, centres, edges);
     takeCells(other, centres, edges);
@@ -92,11 +92,12 @@ std::vector<Piece> piecesOf(std::vector<Triangle> triangles, const Part& part, c
 
 AreaMoments momentsOf(const Part& part, const Region& region) { return momentsOf(trianglesIn(part, region)); }
 
-std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region, const Part* other) {
+std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region, const Part* other, const Mat3& axes_W) {
   std::vector<Vec3> points;
   std::vector<RegionAnchor> anchors;
-  for (const Piece& piece : piecesOf(trianglesIn(*part.part, region), *part.part, other))
-    for (const Vec3& point : pointsWithMoments(piece.moments)) {
+  for (const Piece& piece : piecesOf(trianglesIn(*part.part, region, axes_W), *part.part, other, axes_W))
+    for (const Vec3& along : pointsWithMoments(piece.moments)) {
+      const Vec3 point = axes_W.transpose() * along;
       points.push_back(point);
       anchors.push_back({point, {}, piece.moments.area / 4});
     }

@@ -17,9 +17,10 @@ struct RegionAnchor {
 /// Integration points of a region, whose sums of area, first and second moments are the region's own to round-off,
 /// whatever its triangles. The region is halved along its longest side until every piece is no longer than the cell
 /// of tissue at its centre (of `part` and, where given, of `other`; so a rigid pair keeps the region whole), and each
-/// piece gives the four points of pointsWithMoments. Empty where the region has no area. The region must lie inside
-/// its surface. See README.md.
-std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region, const Part* other = nullptr);
+/// piece gives the four points of pointsWithMoments, all along the rows of `axes_W` (Joint::axes_W). Empty where the region
+/// has no area. The region must lie inside its surface. See README.md.
+std::vector<RegionAnchor> regionAnchors(const CoupledPart& part, const Region& region, const Part* other = nullptr,
+                                        const Mat3& axes_W = Mat3::Identity());
 
 /// Area and moments of a region of `part` at rest.
 AreaMoments momentsOf(const Part& part, const Region& region);

@@ -31,7 +31,7 @@ Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int coupli
     const Vec3 radii = radiiOfGyration(moments);
     return fault(Fault::TooFewSprings, {millimetres(1e3 * moments.area), millimetres(radii(2)), millimetres(radii(1))});
   }
-  const std::vector<RegionAnchor> anchors = regionAnchors({&partA, parts[a].centre}, *region, &partB);
+  const std::vector<RegionAnchor> anchors = regionAnchors({&partA, parts[a].centre}, *region, &partB, joint.axes_W);
   std::vector<Vec3> ends;
   for (const RegionAnchor& anchor : anchors) ends.push_back(anchor.rest_W);
   const std::vector<VertexBinding> bound =

@@ -37,7 +37,7 @@ class SofaScene {
   Result<Written> write() {
     if (const auto made = makeBodies(); !made) return made.error();
     if (const auto made = makeSprings(); !made) return made.error();
-    out << "<?xml version=\"1.0\"?>\n<!-- " << xmlText(m_joint.name) << ": SI units; X anterior, Y superior, Z lateral of a right shoulder. -->\n"
+    out << "<?xml version=\"1.0\"?>\n<!-- " << xmlText(m_joint.name) << ": SI units; X anterior, Y superior, Z to the right of the body. -->\n"
         << "<Node name=\"root\" dt=\"0.005\" gravity=\"0 -9.81 0\">\n";
     for (const char* plugin : kPlugins) out << "  <RequiredPlugin name=\"" << plugin << "\"/>\n";
     out << "  <VisualStyle displayFlags=\"showVisualModels hideForceFields hideCollisionModels\"/>\n"

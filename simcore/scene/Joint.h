@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simcore/scene/Cage.h"
+#include "simcore/scene/JointSide.h"
 #include "simcore/scene/Material.h"
 #include "simcore/scene/Part.h"
 
@@ -58,11 +59,17 @@ struct Provenance {
   bool operator==(const Provenance&) const = default;
 };
 
-/// What an author made. Values only: ids refer, nothing points. Frame W: X anterior, Y superior, Z lateral
-/// of a right shoulder, origin at the humeral head centre; metres.
+/// What an author made. Values only: ids refer, nothing points. Frame W: X anterior, Y superior, Z to the right of the
+/// body (lateral of a right joint, medial of a left one), origin at the joint's centre; metres.
 struct Joint {
   std::string id;    ///< slug
   std::string name;  ///< shown to people
+  std::string description = {};          ///< shown to people; may be empty
+  JointSide side = JointSide::Unsaid;    ///< of the body
+  /// Rows: the directions in W along which a run takes what is computed of the joint and needs directions (the integration
+  /// points of couplings). Orthogonal, of either hand; W's own unless the joint was built in a frame of its own or mirrored.
+  /// A joint and these turned together run alike.
+  Mat3 axes_W = Mat3::Identity();
   std::vector<Material> materials;
   std::vector<Part> parts;  ///< ascending by number
   std::vector<Coupling> couplings;

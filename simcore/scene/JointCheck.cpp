@@ -165,6 +165,8 @@ Result<Done> checkRegionRange(const Part& part, const Region& region, const At& 
 
 Result<Done> checkValues(const Joint& joint, const std::string& file) {
   const At root{file, {}, {}};
+  if (!((joint.axes_W * joint.axes_W.transpose() - Mat3::Identity()).norm() < 1e-6))
+    return root.in("axes").fail(Fault::Unusable, {"axes that are not three orthogonal directions of length one"});
   if (const auto ids = checkIds(joint.materials, root, "materials"); !ids) return ids;
   if (const auto ids = checkIds(joint.parts, root, "parts"); !ids) return ids;
   if (const auto ids = checkIds(joint.couplings, root, "couplings"); !ids) return ids;

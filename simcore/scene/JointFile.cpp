@@ -75,11 +75,26 @@ void sortParts(Joint& joint) {
                    [](const Part& a, const Part& b) { return a.number < b.number; });
 }
 
+JsonValue fromAxes(const Mat3& axes) {
+  JsonValue json = JsonValue::array();
+  for (int row = 0; row < 3; ++row) json.append(fromVec3(axes.row(row)));
+  return json;
+}
+
+Mat3 toAxes(const JsonValue& json) {
+  Mat3 axes;
+  for (int row = 0; row < 3; ++row) axes.row(row) = toVec3(json[static_cast<std::size_t>(row)]).transpose();
+  return axes;
+}
+
 JsonValue fromJoint(const Joint& joint, int version = schemaVersion(Schema::Joint)) {
   JsonValue json = JsonValue::object();
   json.set("schemaVersion", version);
   json.set("id", joint.id);
   json.set("name", joint.name);
+  if (!joint.description.empty()) json.set("description", joint.description);
+  if (joint.side != JointSide::Unsaid) json.set("side", scene_words::wordOf(scene_words::kJointSides, joint.side));
+  if (joint.axes_W != Mat3::Identity()) json.set("axes", fromAxes(joint.axes_W));
   json.set("provenance", fromProvenance(joint.provenance));
   json.set("materials", listOf(joint.materials, fromMaterial));
   json.set("parts", listOf(joint.parts, fromPart));
@@ -95,6 +110,9 @@ Joint toJoint(const JsonValue& json) {
   Joint joint;
   joint.id = json["id"].text();
   joint.name = json["name"].text();
+  joint.description = json["description"].text();
+  joint.side = scene_words::valueOf(scene_words::kJointSides, json["side"].text(), joint.side);
+  if (json.find("axes")) joint.axes_W = toAxes(json["axes"]);
   joint.materials = vectorOf(json["materials"], toMaterial);
   joint.parts = vectorOf(json["parts"], toPart);
   joint.couplings = vectorOf(json["couplings"], toCoupling);

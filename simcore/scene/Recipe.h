@@ -24,7 +24,7 @@ struct PartRecipe {
   int tetrahedra = 0;                        ///< wanted, soft parts; used when cellSize is 0
   double cellSize = 0;                       ///< m, soft parts; when > 0 the cells are exactly this
   Elements elements = Elements::Tetrahedra;  ///< of a soft part in a run
-  GridAxes axes = GridAxes::World;
+  std::optional<GridAxes> axes;              ///< none: W's, or the joint's own where its start is freed (author/OwnFrame.h)
   std::vector<MaterialUse> materials;
   std::vector<Region> regions;  ///< on the visual surface
   std::vector<Landmark> landmarks;
@@ -50,7 +50,8 @@ struct StartWishes {
 
 /// A joint before its meshes are derived.
 struct JointRecipe {
-  std::string id, name;
+  std::string id, name, description;
+  JointSide side = JointSide::Unsaid;
   std::vector<Material> materials;
   std::vector<PartRecipe> parts;
   std::vector<Coupling> couplings;

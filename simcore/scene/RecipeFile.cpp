@@ -27,7 +27,7 @@ PartRecipe toPartRecipe(const JsonValue& json) {
   part.tetrahedra = static_cast<int>(json["tetrahedra"].integer());
   part.cellSize = json["cellSize"].number();
   part.elements = scene_words::valueOf(scene_words::kElements, json["elements"].text(), part.elements);
-  part.axes = json["axes"].text() == "band" ? GridAxes::Band : json["axes"].text() == "principal" ? GridAxes::Principal : GridAxes::World;
+  if (json.find("axes")) part.axes = scene_words::valueOf(scene_words::kGridAxes, json["axes"].text(), GridAxes::World);
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
   part.landmarks = vectorOf(json["landmarks"], toLandmark);
@@ -57,6 +57,8 @@ JointRecipe toRecipe(const JsonValue& json) {
   JointRecipe recipe;
   recipe.id = json["id"].text();
   recipe.name = json["name"].text();
+  recipe.description = json["description"].text();
+  recipe.side = scene_words::valueOf(scene_words::kJointSides, json["side"].text(), recipe.side);
   recipe.materials = vectorOf(json["materials"], toMaterial);
   recipe.parts = vectorOf(json["parts"], toPartRecipe);
   for (const JsonValue& coupling : json["couplings"].items()) {

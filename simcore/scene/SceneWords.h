@@ -3,6 +3,8 @@
 #include <array>
 #include <string>
 
+#include "simcore/embed/Cells.h"
+#include "simcore/scene/JointSide.h"
 #include "simcore/scene/Material.h"
 #include "simcore/scene/Scenario.h"
 
@@ -18,6 +20,8 @@ struct Word {
 inline constexpr std::array<Word<Profile>, 3> kProfiles{
     {{Profile::Paper, "paper"}, {Profile::Direct, "direct"}, {Profile::Reference, "reference"}}};
 inline constexpr std::array<Word<Elements>, 2> kElements{{{Elements::Tetrahedra, "tetrahedra"}, {Elements::Cells, "cells"}}};
+inline constexpr std::array<Word<JointSide>, 2> kJointSides{{{JointSide::Left, "left"}, {JointSide::Right, "right"}}};
+inline constexpr std::array<Word<GridAxes>, 3> kGridAxes{{{GridAxes::World, "world"}, {GridAxes::Principal, "principal"}, {GridAxes::Band, "band"}}};
 inline constexpr std::array<Word<Wish>, 3> kWishes{{{Wish::Auto, "auto"}, {Wish::On, "on"}, {Wish::Off, "off"}}};
 inline constexpr std::array<Word<Appearance>, 7> kAppearances{{{Appearance::Plain, "plain"},
                                                                 {Appearance::Bone, "bone"},

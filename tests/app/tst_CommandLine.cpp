@@ -25,7 +25,7 @@ TEST(CommandLine, helpListsTheCommandsAndNeedsNoDisplay) {
 }
 
 TEST(CommandLine, everyCommandHasHelp) {
-  for (const char* command : {"run", "render", "joint", "joint new", "joint info", "joint check", "joint build", "joint dents", "joint pack", "joint unpack", "replay", "bench"}) {
+  for (const char* command : {"run", "render", "joint", "joint new", "joint info", "joint check", "joint build", "joint dents", "joint mirror", "joint pack", "joint unpack", "replay", "bench"}) {
     const Outcome outcome = glenoidProgram(std::string(command) + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_GT(lineCount(outcome.out), 5) << command;
@@ -64,6 +64,9 @@ TEST(CommandLine, badUsageGetsOneSentence) {
   expectOneSentence("render builtin:shoulder --out x.png --part elbow", "elbow");
   expectOneSentence("joint", "subcommand");
   expectOneSentence("joint polish builtin:shoulder", "polish");
+  expectOneSentence("joint mirror builtin:shoulder", "--out");
+  expectOneSentence("joint mirror builtin:shoulder --out x.scenario.json", ".joint");
+  expectOneSentence("joint mirror builtin:arthroscopy --out x.joint", ".scenario.json");
   expectOneSentence("replay", "RECORDING");
   expectOneSentence("bench --sections growth,speed", "speed");
 }
@@ -79,6 +82,7 @@ TEST(CommandLine, whatIsNotThereGetsOneSentence) {
   expectOneSentence("joint new x --kind wing", "elbow, knee");
   expectOneSentence("run builtin:shoulder", "is a joint, and a scenario is wanted");
   expectOneSentence("joint check builtin:elbow", "elbow");
+  expectOneSentence("joint mirror nowhere.joint --out x.joint", "nowhere.joint");
   expectOneSentence("replay nowhere.recording", "nowhere.recording");
   expectOneSentence("render nowhere.joint --out x.png", "nowhere.joint");
   expectOneSentence("nowhere.scenario.json", "nowhere.scenario.json");

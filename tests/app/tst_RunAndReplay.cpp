@@ -254,6 +254,52 @@ TEST(JointCommand, aRecipeBecomesAJointThatPassesItsChecks) {
   EXPECT_NE(missing.err.find("ball.ply"), std::string::npos) << missing.err;
 }
 
+TEST(JointCommand, theMirroredShoulderIsALeftOneAndMirroredTwiceTheSame) {
+  const auto folder = freshFolder();
+  const std::string left = "'" + (folder / "left.joint").string() + "'", back = "'" + (folder / "back.joint").string() + "'";
+  const Outcome mirrored = glenoidProgram("joint mirror builtin:shoulder --out " + left);
+  ASSERT_EQ(mirrored.status, 0) << mirrored.err;
+  EXPECT_NE(mirrored.out.find("side left"), std::string::npos) << mirrored.out;
+  EXPECT_NE(mirrored.out.find("“Right shoulder”"), std::string::npos) << "names that it changes: " << mirrored.out;
+  const Json info = Json::parse(glenoidProgram("joint info " + left + " --json").out, nullptr, false);
+  EXPECT_EQ(info["side"], "left");
+  EXPECT_EQ(info["name"], "Left shoulder");
+  EXPECT_EQ(info["license"], "GPL-3.0-or-later");
+  EXPECT_NE(glenoidProgram("joint info " + left).out.find("side:        left"), std::string::npos);
+  EXPECT_EQ(glenoidProgram("joint check " + left).status, 0);
+  ASSERT_EQ(glenoidProgram("joint mirror " + left + " --out " + back).status, 0);
+  const Json one = Json::parse(glenoidProgram("joint info builtin:shoulder --json").out, nullptr, false),
+             two = Json::parse(glenoidProgram("joint info " + back + " --json").out, nullptr, false);
+  EXPECT_EQ(one["hash"], two["hash"]);
+  EXPECT_NE(one["hash"], info["hash"]);
+  EXPECT_EQ(one["couplings"], two["couplings"]);
+}
+
+TEST(JointCommand, aScenarioIsMirroredWithJointAndHandsAndRunsAlike) {
+  const auto folder = freshFolder();
+  const std::string left = (folder / "left.scenario.json").string();
+  ASSERT_EQ(glenoidProgram("joint mirror builtin:arthroscopy --out '" + left + "'").status, 0);
+  for (const char* name : {"left.joint", "left.recording"}) EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  const auto reported = [&](const std::string& scenario, const char* name) {
+    const std::string report = (folder / name).string();
+    const Outcome run = glenoidProgram("run " + scenario + " --steps 60 --report '" + report + "'");
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(readText(report), nullptr, false);
+  };
+  const Json one = reported("builtin:arthroscopy", "right.json"), two = reported("'" + left + "'", "left.json");
+  EXPECT_NEAR(one["penetrationMax"].get<double>(), two["penetrationMax"].get<double>(), 1e-6);
+  EXPECT_NEAR(one["contacts"]["mean"].get<double>(), two["contacts"]["mean"].get<double>(), 0.5);
+}
+
+TEST(JointCommand, aRecipeIsNotMirroredAndSaysWhy) {
+  const auto folder = freshFolder();
+  writeText(folder / "r.json", R"({"schemaVersion": 1, "id": "r", "name": "R", "materials": [], "parts": []})");
+  const Outcome outcome = glenoidProgram("joint mirror '" + (folder / "r.json").string() + "' --out '" + (folder / "x.joint").string() + "'");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(lineCount(outcome.err), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("recipe"), std::string::npos) << outcome.err;
+}
+
 TEST(RenderCommand, writesAPictureOfTheAskedSizeWithoutADisplay) {
   const auto path = freshFolder() / "p.png";
   const Outcome outcome = glenoidProgram("render builtin:arthroscopy --size 96x64 --out '" + path.string() + "'");

@@ -110,7 +110,7 @@ Vec3 Gizmo::shift(Grip grip, const Vec2& from, const Vec2& to) const {
 }
 
 Strokes Gizmo::strokes(Grip hot) const {
-  // Anterior red, superior green, lateral blue, as the marker in the corner has them.
+  // Anterior red, superior green, lateral and medial blue, as the marker in the corner has them.
   static constexpr std::array<std::array<float, 3>, 3> kColors{
       {{0.90f, 0.25f, 0.22f}, {0.35f, 0.75f, 0.30f}, {0.30f, 0.50f, 0.95f}}};
   Strokes out;

@@ -7,6 +7,7 @@
 
 #include "editor/core/FrozenScene.h"
 #include "editor/core/AuthorEdits.h"
+#include "editor/core/JointEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/SameScene.h"
 #include "simcore/file/Json.h"
@@ -39,7 +40,7 @@ class Editor {
  public:
   Editor(Document& document, unsigned seed) : m_document(document), m_random(seed) {}
 
-  static constexpr int kKinds = 32;
+  static constexpr int kKinds = 38;
   bool step(int kind) {
     const int before = m_document.undoStack().index();
     wish(kind);
@@ -220,6 +221,12 @@ class Editor {
         break;
       case 30: ownMaterial(m_document, part().id); break;
       case 31: setStart(m_document, {}, StartProof{startHash(joint()), draw(9), 0, 0, 1}, QStringLiteral("start")); break;
+      case 32: renameJoint(m_document, QString::fromStdString(fresh("Left joint "))); break;
+      case 33: describeJoint(m_document, QString::fromStdString(fresh("what it is "))); break;
+      case 34: setJointLicence(m_document, QString::fromStdString(fresh("CC-"))); break;
+      case 35: setJointAuthor(m_document, QString::fromStdString(fresh("somebody "))); break;
+      case 36: setJointSide(m_document, static_cast<JointSide>(draw(3))); break;
+      case 37: mirrorJoint(m_document); break;
     }
   }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "editor/render/Layers.h"
+#include "editor/render/Marker.h"
 
 namespace glenoid {
 namespace {
@@ -26,6 +27,40 @@ TEST(View, namedSidesStandWhereTheySay) {
     EXPECT_EQ(sideNamed(sideName(e.side)), e.side);
   }
   EXPECT_FALSE(sideNamed("leftish").has_value());
+}
+
+TEST(View, lateralAndMedialFollowTheSideOfTheJoint) {
+  const auto from = [](Side side, JointSide joint) { return axesOf(viewFrom(side, kBox, 1.5, 0.5, joint)).back_W; };
+  for (const JointSide joint : {JointSide::Unsaid, JointSide::Right, JointSide::Left}) {
+    const double outwards = joint == JointSide::Left ? -1 : 1;
+    EXPECT_LT((from(Side::Lateral, joint) - outwards * Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((from(Side::Medial, joint) + outwards * Vec3::UnitZ()).norm(), 1e-12);
+    EXPECT_LT((from(Side::Anterior, joint) - Vec3::UnitX()).norm(), 1e-12);
+    EXPECT_LT((from(Side::Superior, joint) - Vec3::UnitY()).norm(), 1e-12);
+  }
+}
+
+TEST(Marker, theLettersOfALeftJointAreThoseOfARightOneSeenInAMirror) {
+  // From the front: what is drawn on the left for a right joint stands on the right for a left one, the letters not mirrored.
+  const View front = viewFrom(Side::Anterior, kBox, 1);
+  const MarkerLines right = markerLines(front, 100, false, JointSide::Right), left = markerLines(front, 100, false, JointSide::Left);
+  ASSERT_EQ(right.letters.size(), left.letters.size());
+  ASSERT_EQ(right.axes.size(), left.axes.size());
+  EXPECT_EQ(markerLines(front, 100, false).letters.size(), right.letters.size());
+  const auto centreX = [](const MarkerLines& lines, bool strokesOfL) {
+    // L has two strokes, M four; both are blue.
+    std::vector<double> xs;
+    for (const ColoredPoint& p : lines.letters)
+      if (p.color[2] > p.color[0] && p.color[2] > p.color[1]) xs.push_back(p.position[0]);
+    std::sort(xs.begin(), xs.end());
+    EXPECT_EQ(xs.size(), 12u);
+    // The four ends of L lie together at one end of the row, the eight of M at the other.
+    const bool lowIsL = xs[3] - xs[0] < xs[4] - xs[3];
+    const bool low = strokesOfL == lowIsL;
+    return low ? xs.front() : xs.back();
+  };
+  EXPECT_LT(centreX(right, true), centreX(right, false)) << "lateral of a right joint is on the viewer's left";
+  EXPECT_GT(centreX(left, true), centreX(left, false));
 }
 
 TEST(View, framedBoxIsInSightAndFillsIt) {

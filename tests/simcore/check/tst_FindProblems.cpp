@@ -379,6 +379,40 @@ TEST(FindProblems, aCageThatCrushesOrTurnsTetrahedra) {
   EXPECT_TRUE(has(findProblems(joint), ProblemKind::CageUnusable));
 }
 
+TEST(FindProblems, aCageThatMovesFarOrSqueezesIsAWarning) {
+  Joint joint = soundJoint();
+  joint.cages = {boxCage(softPart(joint), 2e-3)};
+  const Part& part = softPart(joint);
+  const Box3 box = boundsOf(*part.visual);
+  const auto squeezed = [&](double to) {
+    Joint moved = joint;
+    for (Vec3& handle : moved.cages[0].moved_W) handle.y() = box.center().y() + to * (handle.y() - box.center().y());
+    return findProblems(moved);
+  };
+  const auto half = squeezed(0.5);
+  ASSERT_TRUE(has(half, ProblemKind::CageSqueezes, part.id)) << listed(half);
+  EXPECT_EQ(problemOf(half, ProblemKind::CageSqueezes)->severity, Severity::Warning);
+  EXPECT_NEAR(problemOf(half, ProblemKind::CageSqueezes)->figure, 0.5, 1e-6);
+  EXPECT_EQ(problemOf(half, ProblemKind::CageSqueezes)->count, static_cast<long>(part.volume->tets.size()));
+  EXPECT_FALSE(has(squeezed(0.65), ProblemKind::CageSqueezes));
+  EXPECT_FALSE(has(squeezed(0.05), ProblemKind::CageSqueezes)) << "that is crushed, and said once";
+
+  // Moved as a whole, upwards and away from all else. A box is 2 V / A thick.
+  const Vec3 s = boundsOf(*part.collision).sizes();
+  const double thickness = s.prod() / (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+  const auto lifted = [&](double by) {
+    Joint moved = joint;
+    for (Vec3& handle : moved.cages[0].moved_W) handle.y() += by;
+    return findProblems(moved);
+  };
+  EXPECT_FALSE(has(lifted(0.95 * thickness), ProblemKind::CageMovesFar));
+  const auto far = lifted(1.05 * thickness);
+  ASSERT_TRUE(has(far, ProblemKind::CageMovesFar, part.id)) << listed(far);
+  EXPECT_EQ(problemOf(far, ProblemKind::CageMovesFar)->severity, Severity::Warning);
+  EXPECT_NEAR(problemOf(far, ProblemKind::CageMovesFar)->figure, 1.05 * thickness, 1e-9);
+  EXPECT_NEAR(problemOf(far, ProblemKind::CageMovesFar)->wanted, thickness, 1e-9);
+}
+
 TEST(FindProblems, aProofOfOtherMeshesIsStale) {
   Joint joint = soundJoint();
   joint.startProof = StartProof{startHash(joint), 0, 0, 0, 1};

@@ -171,6 +171,40 @@ TEST(RegionAnchors, everyNodeOfABondedFaceIsHeld) {
   }
 }
 
+TEST(RegionAnchors, goAlongWithThePartAndItsAxes) {
+  // Three faces around a corner, of which no two triangles lie alike: what is bent shows on which side the points lie.
+  Part part = cube(PartKind::Soft, 3, 0.007);
+  part.regions = {scenes::regionIn(part, "bent", Box3(Vec3(-1, -1, -1), Vec3(1, 1, 1)))};
+  part.regions[0].triangles = runsOf({0, 3, 7, 20, 41, 42, 60, 77, 78});
+  const auto placed = [&](const Mat3& R) {
+    Part other = part;
+    TriMesh surface = *part.visual;
+    for (Vec3& x : surface.vertices) x = R * x;
+    other.visual = std::make_shared<const TriMesh>(surface);
+    TetMesh volume = *part.volume;
+    for (Vec3& x : volume.nodes) x = R * x;
+    if (R.determinant() < 0)
+      for (auto& tet : volume.tets) std::swap(tet[2], tet[3]);
+    other.volume = std::make_shared<const TetMesh>(volume);
+    return other;
+  };
+  const auto anchorsOf = [](const Part& of, const Mat3& axes_W) { return regionAnchors({&of, Vec3::Zero()}, of.regions[0], nullptr, axes_W); };
+  const auto here = anchorsOf(part, Mat3::Identity());
+  ASSERT_GE(here.size(), 8u);
+  const auto farthest = [&](const std::vector<RegionAnchor>& there, const Mat3& R) {
+    EXPECT_EQ(there.size(), here.size());
+    double most = 0;
+    for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
+      most = std::max(most, (R * here[i].rest_W - there[i].rest_W).norm());
+      EXPECT_NEAR(there[i].share, here[i].share, 1e-12 * here[i].share);
+    }
+    return most;
+  };
+  const Mat3 mirror = Vec3(1, 1, -1).asDiagonal(), turn = Eigen::AngleAxisd(0.35, Vec3(2, -1, 3).normalized()).toRotationMatrix();
+  for (const Mat3& R : {mirror, turn, Mat3(turn * mirror)}) EXPECT_LT(farthest(anchorsOf(placed(R), R.transpose()), R), 1e-9);
+  EXPECT_GT(farthest(anchorsOf(placed(mirror), Mat3::Identity()), mirror), 1e-4) << "along W they are others";
+}
+
 TEST(RegionAnchors, oneTriangleHolds) {
   Part lower = cube(PartKind::Soft, 16, 0.005);
   lower.regions[0].triangles = {{trianglesOf(lower.regions[0])[0], 1}};

@@ -26,6 +26,9 @@ Joint sampleJoint() {
   Joint joint;
   joint.id = "sample";
   joint.name = "Sample \"joint\" — Schulter";
+  joint.description = "Two parts.\nSecond line";
+  joint.side = JointSide::Left;
+  joint.axes_W << 0, 1, 0, 0.6, 0, 0.8, 0.8, 0, -0.6;
   joint.provenance = {"A. Author", "CC0-1.0", "drawn by hand", "2010-09-09"};
   Material bone;
   bone.id = "bone";
@@ -87,6 +90,9 @@ Joint sampleJoint() {
 void expectSame(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.id, b.id);
   EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.description, b.description);
+  EXPECT_EQ(a.side, b.side);
+  EXPECT_EQ(a.axes_W, b.axes_W);
   EXPECT_EQ(a.materials, b.materials);
   EXPECT_EQ(a.couplings, b.couplings);
   EXPECT_EQ(a.exclusions, b.exclusions);

@@ -11,7 +11,7 @@ namespace glenoid {
 namespace {
 
 const std::string kRecipe = R"({
-  "schemaVersion": 1, "id": "r", "name": "R", "clearance": 0.001, "separationIterations": 50,
+  "schemaVersion": 1, "id": "r", "name": "R", "description": "What it is.", "side": "left", "clearance": 0.001, "separationIterations": 50,
   "materials": [{"id": "bone", "density": 1800, "youngsModulus": 1e9, "poissonRatio": 0.3}],
   "parts": [
     {"id": "humerus", "number": 1, "kind": "rigid", "visual": "h.ply", "collision": "h.ply", "materials": [{"material": "bone"}]},
@@ -43,6 +43,9 @@ TEST(RecipeFile, whatTheFileSaysIsRead) {
   const auto recipe = prepared.load();
   ASSERT_TRUE(recipe.ok()) << toLogLine(recipe.error());
   EXPECT_EQ(recipe->id, "r");
+  EXPECT_EQ(recipe->description, "What it is.");
+  EXPECT_EQ(recipe->side, JointSide::Left);
+  EXPECT_FALSE(recipe->parts[0].axes) << "what the recipe leaves open";
   EXPECT_EQ(recipe->clearance, 0.001);
   EXPECT_EQ(recipe->separationIterations, 50);
   ASSERT_EQ(recipe->parts.size(), 2u);
