@@ -34,6 +34,7 @@ constexpr double kLeastCurve = 4;           ///< edges of the mesh that creases 
 constexpr double kFacetAngle = 25;          ///< °, least of boundary faces; up to 30 the refinement is proved to end
 constexpr double kRadiusPerEdge = 2.5;      ///< circumradius over the shortest edge; above 2 the refinement is proved to end
 constexpr double kFlat = 1e-6;              ///< edges³: no volume; a regular tetrahedron has 0.12
+constexpr double kMostOff = 0.2;            ///< of the part's volume: coarser than this it is another part
 // Criteria bound circumradii from above; the mean of what comes out is some three quarters of its bound, and a regular
 // tetrahedron has 0.61 of its edge, a regular triangle 0.58.
 constexpr double kCellRadius = 0.8, kFacetRadius = 0.75;  ///< of the edge that is meant
@@ -80,7 +81,8 @@ TetMesh tetsOf(const Complex& complex, const Vec3& middle, double edge) {
 }
 
 /// Four nodes on a flat side of the part may make a tetrahedron without volume. It goes: what lies behind it has the same outside.
-void dropFlat(TetMesh& mesh, double edge) {
+/// Whether any went; another may lie behind.
+bool dropFlat(TetMesh& mesh, double edge) {
   std::map<std::array<int, 3>, int> uses;
   const auto face = [](const std::array<int, 4>& tet, int without) {
     std::array<int, 3> key{};
@@ -97,7 +99,8 @@ void dropFlat(TetMesh& mesh, double edge) {
     for (int k = 0; k < 4; ++k) outside += uses[face(mesh.tets[t], k)] == 1;
     if (outside < 2 || tetVolume(mesh, static_cast<int>(t)) > kFlat * edge * edge * edge) kept.push_back(mesh.tets[t]);
   }
-  mesh.tets = std::move(kept);
+  mesh.tets.swap(kept);
+  return mesh.tets.size() < kept.size();
 }
 
 Result<TetMesh> meshed(const TriMesh& mesh, const TetSize& size, double expected, const std::string& part, const std::atomic<bool>* stop) {
@@ -130,7 +133,8 @@ Result<TetMesh> meshed(const TriMesh& mesh, const TetSize& size, double expected
     return badMesh(part, "tetrahedra of " + millimetres(size.edge) + " within " + millimetres(size.distance) +
                              " of its surface become too many; its folds are too sharp, or the distance is too small");
   TetMesh tets = tetsOf(complex, middle, size.edge);
-  dropFlat(tets, size.edge);
+  while (dropFlat(tets, size.edge)) {
+  }
   return tets;
 }
 
@@ -160,12 +164,13 @@ Result<TetMesh> conformingMesh(const TriMesh& surface, const TetSize& wish, cons
   if (!(size.edge >= finest && size.edge <= longest))
     return Error{Fault::OutOfRange, {{}, {}, part, {}}, {millimetres(size.edge), millimetres(finest), millimetres(longest)}, "size of tetrahedra"};
   try {
-    Result<TetMesh> mesh = meshed(surface, size, nodesOf(health.volume, health.area, size.edge), part, stop);
-    if (!mesh) return mesh;
-    const TetHealth sound = healthOf(*mesh);
-    if (mesh->tets.empty() || !sound.healthy() || std::abs(totalVolume(*mesh) / health.volume - 1) > 0.2)
-      return badMesh(part, "no sound tetrahedra of " + millimetres(size.edge) + " come of its surface; choose smaller ones");
-    return mesh;
+    // Round-off can turn a flat tetrahedron over; a size next to the one that is meant has others.
+    for (const double share : {1.0, 0.97, 0.94}) {
+      Result<TetMesh> mesh = meshed(surface, {share * size.edge, size.distance}, nodesOf(health.volume, health.area, size.edge), part, stop);
+      if (!mesh) return mesh;
+      if (!mesh->tets.empty() && healthOf(*mesh).healthy() && std::abs(totalVolume(*mesh) / health.volume - 1) < kMostOff) return mesh;
+    }
+    return badMesh(part, "no sound tetrahedra of " + millimetres(size.edge) + " come of its surface; choose smaller ones");
   } catch (const std::exception& error) {  // a condition of the library's that did not hold
     Error failed = badMesh(part, "its surface cannot be filled with tetrahedra; repair it, or choose another size");
     failed.detail = error.what();
