@@ -38,7 +38,6 @@ TEST(ConformingMesh, aBoxKeepsItsCreasesAndSoItsVolume) {
     ASSERT_TRUE(mesh.ok()) << toLogLine(mesh.error());
     EXPECT_TRUE(healthOf(*mesh).healthy());
     EXPECT_NEAR(totalVolume(*mesh) / enclosedVolume(box), 1, 1e-6);
-    EXPECT_GT(figuresOf(box, *mesh).leastDihedral * 180 / std::numbers::pi, 5);
     EXPECT_LT((boundsOf(boundaryOf(*mesh)).min() - Vec3(1, 2, 3)).norm(), 1e-9);
   }
 }
