@@ -1369,6 +1369,49 @@
     </message>
 </context>
 <context>
+    <name>glenoid::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>The cells of the simulation stand out of the part and are several times its volume. For another solver, write tetrahedra of the part itself.</source>
+        <translation>Las celdas de la simulación sobresalen de la parte y son varias veces su volumen. Para otro programa de cálculo, escriba tetraedros de la propia parte.</translation>
+    </message>
+    <message>
+        <source>Tetrahedra</source>
+        <translation>Tetraedros</translation>
+    </message>
+    <message>
+        <source>Of the simulation&apos;s cells</source>
+        <translation>De las celdas de la simulación</translation>
+    </message>
+    <message>
+        <source>Of the part itself</source>
+        <translation>De la propia parte</translation>
+    </message>
+    <message>
+        <source>Length of their edges</source>
+        <translation>Longitud de sus aristas</translation>
+    </message>
+    <message>
+        <source>Largest distance from the surface</source>
+        <translation>Mayor distancia a la superficie</translation>
+    </message>
+    <message>
+        <source>two thirds of the part&apos;s thickness</source>
+        <translation>dos tercios del grosor de la parte</translation>
+    </message>
+    <message>
+        <source>a tenth of the edges</source>
+        <translation>un décimo de las aristas</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::ExportSentences</name>
     <message>
         <source>Rigid parts are left out: %1.</source>
@@ -1465,6 +1508,18 @@
     <message>
         <source>FEBio model</source>
         <translation>Modelo de FEBio</translation>
+    </message>
+    <message>
+        <source>%1: %2 tetrahedra of its cells hold %3 cm³, %4 times the %5 cm³ of the part.</source>
+        <translation>%1: %2 tetraedros de sus celdas contienen %3 cm³, %4 veces los %5 cm³ de la parte.</translation>
+    </message>
+    <message>
+        <source>%1: %2 tetrahedra of the part itself hold %3 cm³ of its %4 cm³; least angle between faces %5°, least radius ratio %6.</source>
+        <translation>%1: %2 tetraedros de la propia parte contienen %3 cm³ de sus %4 cm³; menor ángulo entre caras %5°, menor razón de radios %6.</translation>
+    </message>
+    <message>
+        <source>CalculiX input</source>
+        <translation>Entrada de CalculiX</translation>
     </message>
     <message>
         <source>glTF surfaces</source>
@@ -2761,8 +2816,8 @@
         <translation>Exportar &amp;articulación…</translation>
     </message>
     <message>
-        <source>Write the joint for Gmsh, VTK, SOFA, FEBio or glTF</source>
-        <translation>Escribir la articulación para Gmsh, VTK, SOFA, FEBio o glTF</translation>
+        <source>Write the joint for Gmsh, VTK, SOFA, FEBio, CalculiX or glTF</source>
+        <translation>Escribir la articulación para Gmsh, VTK, SOFA, FEBio, CalculiX o glTF</translation>
     </message>
     <message>
         <source>Export the joint</source>

@@ -94,6 +94,8 @@ Json surfaceJson(const ImportedSurface& surface, const SurfaceDiagnosis& d) {
 std::string meshInfoText(const std::string& path, const ImportedFile& file, const std::vector<SurfaceDiagnosis>& diagnoses) {
   std::string out = path + ": " + file.format + text(", %zu surface%s", file.surfaces.size(), file.surfaces.size() == 1 ? "" : "s") +
                     text(", unit %s", file.metresPerUnit ? unitName(*file.metresPerUnit).c_str() : "not named") + "\n";
+  if (file.axes != FileAxes::Unsaid)
+    out += text("  axes: %s; as here (X forward, Y up, Z to the right) by --axes \"%s\"\n", fileAxesName(file.axes), axisWords(proposedAxes(file.axes)).c_str());
   for (const NoteCount& note : file.notes) out += text("  %-28s %ld\n", importNoteName(note.note), note.count);
   for (std::size_t i = 0; i < file.surfaces.size(); ++i) out += surfaceText(file.surfaces[i], diagnoses[i], i + 1);
   return out;
@@ -104,7 +106,7 @@ JsonValue meshInfoJson(const std::string& path, const ImportedFile& file, const 
   for (const NoteCount& note : file.notes) notes.set(importNoteName(note.note), note.count);
   for (std::size_t i = 0; i < file.surfaces.size(); ++i) surfaces.append(surfaceJson(file.surfaces[i], diagnoses[i]));
   return jsonObject({{"file", path}, {"format", file.format}, {"metresPerUnit", file.metresPerUnit ? Json(*file.metresPerUnit) : Json()},
-                     {"notes", notes}, {"surfaces", surfaces}});
+                     {"axes", fileAxesName(file.axes)}, {"proposedAxes", axisWords(proposedAxes(file.axes))}, {"notes", notes}, {"surfaces", surfaces}});
 }
 
 std::string repairText(const std::vector<RepairChange>& changes, double metresPerUnit) {

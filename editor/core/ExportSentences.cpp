@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <numbers>
 
 namespace glenoid {
 namespace {
@@ -45,12 +46,25 @@ QString sentenceOf(const Loss& loss) {
   return {};
 }
 
+QString sentenceOf(const SolidFigures& solid, ExportMesh mesh) {
+  const QLocale locale;
+  const auto cubic = [&](double volume) { return locale.toString(1e6 * volume, 'g', 3); };
+  const QString part = QString::fromStdString(solid.part), count = locale.toString(static_cast<qlonglong>(solid.tetrahedra));
+  if (mesh == ExportMesh::Cells)
+    return ExportSentences::tr("%1: %2 tetrahedra of its cells hold %3 cm³, %4 times the %5 cm³ of the part.")
+        .arg(part, count, cubic(solid.volume), locale.toString(solid.volume / solid.partVolume, 'f', 2), cubic(solid.partVolume));
+  return ExportSentences::tr("%1: %2 tetrahedra of the part itself hold %3 cm³ of its %4 cm³; least angle between faces %5°, least radius ratio %6.")
+      .arg(part, count, cubic(solid.volume), cubic(solid.partVolume), locale.toString(solid.leastDihedral * 180 / std::numbers::pi, 'f', 1),
+           locale.toString(solid.leastRadiusRatio, 'f', 2));
+}
+
 QString exportName(ExportFormat format) {
   switch (format) {
     case ExportFormat::Msh: return ExportSentences::tr("Gmsh mesh of the volumes");
     case ExportFormat::Vtu: return ExportSentences::tr("VTK grid of the volumes");
     case ExportFormat::Scn: return ExportSentences::tr("SOFA scene");
     case ExportFormat::Feb: return ExportSentences::tr("FEBio model");
+    case ExportFormat::Inp: return ExportSentences::tr("CalculiX input");
     case ExportFormat::Glb: return ExportSentences::tr("glTF surfaces");
   }
   return {};

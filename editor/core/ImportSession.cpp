@@ -135,6 +135,7 @@ void ImportSession::took(long key, Result<ImportedFile> file, std::vector<Surfac
     row.format = QString::fromStdString(file->format);
     row.notes = file->notes;
     row.namedUnit = file->metresPerUnit;
+    row.axes = proposedAxes(file->axes);
     const QString name = QString::fromStdString(file->surfaces[i].name).trimmed();
     if (file->surfaces.size() > 1 && !name.isEmpty()) row.name = name;
     row.mesh = std::make_shared<const TriMesh>(std::move(file->surfaces[i].mesh));

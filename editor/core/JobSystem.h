@@ -20,6 +20,8 @@ class JobContext {
  public:
   /// False once it was cancelled: the work should end soon; what it answers is thrown away.
   bool goesOn() const { return !m_cancelled.load(std::memory_order_relaxed); }
+  /// Set once it was cancelled: for a library that looks for itself.
+  const std::atomic<bool>& cancelled() const { return m_cancelled; }
   /// 0…1 of the whole job. Answers goesOn().
   bool progress(double done) {
     m_done.store(done, std::memory_order_relaxed);

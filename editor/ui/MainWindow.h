@@ -64,7 +64,7 @@ class MainWindow : public QMainWindow {
   /// Where safety copies lie; offers at once what a program that was killed left there.
   void offerRecovery(const QString& autosaveRoot);
   /// Writes the joint for another program in the background, then says what was lost.
-  void exportJointTo(const QString& path, ExportFormat format);
+  void exportJointTo(const QString& path, ExportFormat format, ExportWish wish);
 
  signals:
   void languageWanted(const QString& code);

@@ -77,7 +77,7 @@ void MainWindow::makeFileActions() {
                 [] { return Actions::Words{tr("&Save as…"), tr("Save joint and scenario under a name")}; },
                 [this] { saveAs(); });
   m_actions.add("exportJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-                [] { return Actions::Words{tr("Export &joint…"), tr("Write the joint for Gmsh, VTK, SOFA, FEBio or glTF")}; },
+                [] { return Actions::Words{tr("Export &joint…"), tr("Write the joint for Gmsh, VTK, SOFA, FEBio, CalculiX or glTF")}; },
                 [this] { exportTo(); });
   m_actions.add("picture", "picture", {QKeySequence(Qt::CTRL | Qt::Key_E)},
                 [] { return Actions::Words{tr("&Export picture…"), tr("Save what the view shows as a PNG file")}; },

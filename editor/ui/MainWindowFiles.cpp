@@ -6,6 +6,7 @@
 #include <QMessageBox>
 
 #include "editor/core/ExportSentences.h"
+#include "editor/ui/ExportDialog.h"
 #include "editor/core/PartMovement.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/MainWindow.h"
@@ -95,23 +96,33 @@ void MainWindow::exportTo() {
     format = &kExportFormats[std::max<qsizetype>(0, filters.indexOf(chosen))];
     path += QLatin1Char('.') + QLatin1String(exportWord(*format));
   }
-  exportJointTo(path, *format);
+  if (!holdsVolumes(*format)) return exportJointTo(path, *format, {});
+  auto* dialog = new ExportDialog(*format, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, path, format = *format] { exportJointTo(path, format, dialog->wish()); });
+  dialog->open();
 }
 
-void MainWindow::exportJointTo(const QString& path, ExportFormat format) {
+void MainWindow::exportJointTo(const QString& path, ExportFormat format, ExportWish wish) {
   const auto always = [](const Scene&, const Scene&) { return true; };  // what is exported is the joint as it was when asked
   m_jobs.start<ExportReport>(
       tr("Export %1").arg(QFileInfo(path).fileName()),
-      [joint = m_document.joint(), path, format](JobContext&) { return exportJoint(joint, format, path.toStdString()); },
-      [this, path](const ExportReport& report) {
-        QStringList losses;
+      [joint = m_document.joint(), path, format, wish](JobContext& context) mutable {
+        wish.stop = &context.cancelled();
+        return exportJoint(joint, format, path.toStdString(), wish);
+      },
+      [this, path, mesh = wish.mesh](const ExportReport& report) {
+        QStringList solids, losses;
+        for (const SolidFigures& solid : report.solids) solids << QStringLiteral("<li>%1</li>").arg(sentenceOf(solid, mesh).toHtmlEscaped());
         for (const Loss& loss : report.losses) losses << QStringLiteral("<li>%1</li>").arg(sentenceOf(loss).toHtmlEscaped());
         auto* box = new QMessageBox(QMessageBox::Information, tr("Export"), tr("The joint was written to %1.").arg(path.toHtmlEscaped()),
                                     QMessageBox::Ok, this);
         box->setObjectName(QStringLiteral("exported"));
         box->setTextFormat(Qt::RichText);
-        if (!losses.isEmpty())
-          box->setInformativeText(tr("<p>What the file does not hold:</p><ul>%1</ul>").arg(losses.join(QString())));
+        QString more;
+        if (!solids.isEmpty()) more += QStringLiteral("<ul>%1</ul>").arg(solids.join(QString()));
+        if (!losses.isEmpty()) more += tr("<p>What the file does not hold:</p><ul>%1</ul>").arg(losses.join(QString()));
+        box->setInformativeText(more);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
       },

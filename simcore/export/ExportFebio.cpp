@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "simcore/body/RigidObject.h"
-#include "simcore/coupling/Springs.h"
-#include "simcore/embed/Bind.h"
-#include "simcore/export/ExportParts.h"
-#include "simcore/scene/Start.h"
+#include "simcore/export/Bonds.h"
 
 namespace glenoid::exporting {
 namespace {
@@ -15,10 +11,12 @@ namespace {
 /// Numbers of nodes and elements run through the whole file, from 1, part by part.
 class FebioModel {
  public:
-  explicit FebioModel(const Joint& joint) : m_joint(joint) {}
+  FebioModel(const Joint& joint, ExportMesh mesh) : m_joint(joint), m_mesh(mesh) {}
 
   Result<Written> write() {
-    if (const auto made = makeBonds(); !made) return made.error();
+    auto bonds = bondsOf(m_joint, m_mesh, true);
+    if (!bonds) return bonds.error();
+    m_bonds = std::move(*bonds);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << xmlText(m_joint.name) << ": SI units. -->\n"
         << "<febio_spec version=\"4.0\">\n<Module type=\"solid\"/>\n"
            "<Control>\n  <analysis>STATIC</analysis>\n  <time_steps>10</time_steps>\n  <step_size>0.1</step_size>\n"
@@ -37,80 +35,6 @@ class FebioModel {
   }
 
  private:
-  struct Bond {
-    std::string rigid;                 ///< part: the node moves with it
-    std::array<long, 4> nodes{};       ///< else: it is the weighted sum of these
-    std::array<double, 4> weights{};
-  };
-
-  /// Nodes of a soft part that carry a coupling, since FEBio bonds whole nodes: those with more than 2 % of the largest
-  /// share of its stiffness.
-  static std::vector<int> carriers(const std::vector<CouplingSpring>& springs, VertexBinding CouplingSpring::* end) {
-    std::map<int, double> share;
-    double most = 0;
-    for (const CouplingSpring& spring : springs)
-      for (int k = 0; k < 4; ++k) {
-        double& sum = share[(spring.*end).node[k]];
-        sum += spring.stiffness * std::max(0.0, (spring.*end).weight[k]);
-        most = std::max(most, sum);
-      }
-    std::vector<int> nodes;
-    for (const auto& [node, stiffness] : share)
-      if (stiffness > 0.02 * most) nodes.push_back(node);
-    return nodes;
-  }
-  bool isRigid(int part) const { return m_joint.parts[part].kind == PartKind::Rigid; }
-  /// Bonds a node unless something holds it already, or something hangs on it.
-  void bond(long node, Bond how) {
-    const bool taken = m_bonds.count(node) || m_parents.count(node);
-    const bool chained = how.rigid.empty() && std::any_of(how.nodes.begin(), how.nodes.end(), [&](long parent) {
-      const auto found = m_bonds.find(parent);
-      return found != m_bonds.end() || parent == node;
-    });
-    if (taken || chained) {
-      ++m_leftOut;
-      return;
-    }
-    if (how.rigid.empty()) m_parents.insert(how.nodes.begin(), how.nodes.end());
-    m_bonds.emplace(node, std::move(how));
-  }
-
-  Result<Done> makeBonds() {
-    long next = 1;
-    std::vector<CoupledPart> parts;
-    for (const Part& part : m_joint.parts) {
-      m_first.push_back(next);
-      next += static_cast<long>(part.kind == PartKind::Soft ? part.volume->nodes.size() : part.collision->vertices.size());
-      parts.push_back({&part, Vec3::Zero()});
-    }
-    for (std::size_t c = 0; c < m_joint.couplings.size(); ++c) {
-      const auto springs = deriveSprings(m_joint, static_cast<int>(c), parts);
-      if (!springs) return springs.error();
-      const int a = springs->front().objectA, b = springs->front().objectB;
-      if (isRigid(a) && isRigid(b)) {
-        ++m_rigidCouplings;
-        continue;
-      }
-      ++m_bonded;
-      const int soft = isRigid(a) ? b : a, other = isRigid(a) ? a : b;
-      const std::vector<int> held = carriers(*springs, isRigid(a) ? &CouplingSpring::b : &CouplingSpring::a);
-      std::vector<Vec3> places;
-      for (const int node : held) places.push_back(m_joint.parts[soft].volume->nodes[node]);
-      std::vector<VertexBinding> in;
-      if (!isRigid(other)) in = bindToTets(*m_joint.parts[other].volume, places);
-      for (std::size_t i = 0; i < held.size(); ++i) {
-        Bond how;
-        if (isRigid(other)) how.rigid = m_joint.parts[other].id;
-        for (int k = 0; k < 4 && !isRigid(other); ++k) {
-          how.nodes[k] = m_first[other] + in[i].node[k];
-          how.weights[k] = in[i].weight[k];
-        }
-        bond(m_first[soft] + held[i], std::move(how));
-      }
-    }
-    return Done{};
-  }
-
   Result<Done> writeMaterials() {
     out << "<Material>\n";
     int id = 0;
@@ -121,7 +45,7 @@ class FebioModel {
       if (part.kind == PartKind::Soft) {
         out << "    <E>" << material.youngsModulus << "</E>\n    <v>" << material.poissonRatio << "</v>\n";
         m_severalMaterials += part.materials.size() > 1;
-        for (const double fill : tissueOf(m_joint, part).fill) m_partly += fill < 1 - 1e-9;
+        for (const double fill : tissueOf(m_joint, part, m_mesh).fill) m_partly += fill < 1 - 1e-9;
       } else {
         const auto properties = massPropertiesOf(*part.visual, material.density);
         if (!properties) {
@@ -145,7 +69,7 @@ class FebioModel {
       const auto& nodes = part.kind == PartKind::Soft ? part.volume->nodes : part.collision->vertices;
       out << "  <Nodes name=\"" << xmlText(part.id) << "\">\n";
       for (std::size_t i = 0; i < nodes.size(); ++i)
-        out << "    <node id=\"" << m_first[p] + static_cast<long>(i) << "\">" << nodes[i].x() << "," << nodes[i].y() << "," << nodes[i].z()
+        out << "    <node id=\"" << m_bonds.first[p] + static_cast<long>(i) << "\">" << nodes[i].x() << "," << nodes[i].y() << "," << nodes[i].z()
             << "</node>\n";
       out << "  </Nodes>\n";
       out.report.nodes += static_cast<long>(nodes.size());
@@ -163,16 +87,16 @@ class FebioModel {
     for (std::size_t p = 0; p < m_joint.parts.size(); ++p) {
       const Part& part = m_joint.parts[p];
       if (part.kind == PartKind::Soft) {
-        cells(part, m_first[p], "tet4", part.volume->tets);
+        cells(part, m_bonds.first[p], "tet4", part.volume->tets);
         out.report.tetrahedra += static_cast<long>(part.volume->tets.size());
       } else {
-        cells(part, m_first[p], "tri3", part.collision->triangles);
+        cells(part, m_bonds.first[p], "tri3", part.collision->triangles);
         out.report.triangles += static_cast<long>(part.collision->triangles.size());
       }
     }
     std::map<std::string, std::vector<long>> sets;
-    for (const auto& [node, how] : m_bonds)
-      if (!how.rigid.empty()) sets[how.rigid].push_back(node);
+    for (const auto& [node, how] : m_bonds.bonds)
+      if (how.rigid >= 0) sets[m_joint.parts[how.rigid].id].push_back(node);
     for (const auto& [rigid, nodes] : sets) {
       out << "  <NodeSet name=\"" << xmlText("on-" + rigid) << "\">";
       for (std::size_t i = 0; i < nodes.size(); ++i) out << (i ? "," : "") << nodes[i];
@@ -192,13 +116,13 @@ class FebioModel {
   }
 
   void writeBoundary() {
-    if (m_bonds.empty()) return;
+    if (m_bonds.bonds.empty()) return;
     out << "<Boundary>\n";
     for (const std::string& rigid : m_sets)
       out << "  <bc name=\"" << xmlText("on-" + rigid) << "\" node_set=\"" << xmlText("on-" + rigid) << "\" type=\"rigid\"><rb>"
           << xmlText(rigid) << "</rb></bc>\n";
-    for (const auto& [node, how] : m_bonds) {
-      if (!how.rigid.empty()) continue;
+    for (const auto& [node, how] : m_bonds.bonds) {
+      if (how.rigid >= 0) continue;
       for (const char dof : {'x', 'y', 'z'}) {
         const std::string_view axis(&dof, 1);
         out << "  <bc type=\"linear constraint\"><node>" << node << "</node><dof>" << axis << "</dof><offset>0</offset>";
@@ -232,9 +156,9 @@ class FebioModel {
     out.lose(LossKind::MaterialLaw);
     out.lose(LossKind::FillFractions, m_partly);
     out.lose(LossKind::MaterialRegions, m_severalMaterials);
-    out.lose(LossKind::CouplingStiffness, m_bonded);
-    out.lose(LossKind::BondsLeftOut, m_leftOut);
-    out.lose(LossKind::Couplings, m_rigidCouplings);
+    out.lose(LossKind::CouplingStiffness, m_bonds.bonded);
+    out.lose(LossKind::BondsLeftOut, m_bonds.leftOut);
+    out.lose(LossKind::Couplings, m_bonds.rigidCouplings);
     out.lose(LossKind::Contact);
     out.lose(LossKind::Surfaces, static_cast<long>(m_joint.parts.size() + softParts(m_joint).size()));
     out.lose(LossKind::Bursae, static_cast<long>(m_joint.bursae.size()));
@@ -243,16 +167,15 @@ class FebioModel {
   }
 
   const Joint& m_joint;
-  std::vector<long> m_first;
-  std::map<long, Bond> m_bonds;
-  std::set<long> m_parents;
+  ExportMesh m_mesh;
+  Bonds m_bonds;
   std::vector<std::string> m_sets;
-  long m_leftOut = 0, m_bonded = 0, m_rigidCouplings = 0, m_fixed = 0, m_partly = 0, m_severalMaterials = 0;
+  long m_fixed = 0, m_partly = 0, m_severalMaterials = 0;
   Written out;
 };
 
 }  // namespace
 
-Result<Written> writeFebio(const Joint& joint) { return FebioModel(joint).write(); }
+Result<Written> writeFebio(const Joint& joint, ExportMesh mesh) { return FebioModel(joint, mesh).write(); }
 
 }  // namespace glenoid::exporting

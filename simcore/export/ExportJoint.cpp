@@ -23,7 +23,25 @@ Joint onlyPart(const Joint& joint, int index) {
   return one;
 }
 
+/// The joint with tetrahedra of its soft parts themselves.
+Result<Done> conform(Joint& joint, int only, const ExportWish& wish) {
+  for (std::size_t p = 0; p < joint.parts.size(); ++p) {
+    Part& part = joint.parts[p];
+    if (part.kind != PartKind::Soft || (only >= 0 && only != static_cast<int>(p))) continue;
+    Result<TetMesh> mesh = conformingMesh(*part.visual, wish.size, part.id, wish.stop);
+    if (!mesh) return mesh.error();
+    part.volume = std::make_shared<const TetMesh>(std::move(*mesh));
+  }
+  return Done{};
+}
+
 }  // namespace
+
+const char* exportMeshWord(ExportMesh mesh) { return mesh == ExportMesh::Cells ? "cells" : "conforming"; }
+
+ExportMesh usualMesh(ExportFormat format) { return format == ExportFormat::Inp ? ExportMesh::Conforming : ExportMesh::Cells; }
+
+bool holdsVolumes(ExportFormat format) { return format != ExportFormat::Glb; }
 
 const char* exportWord(ExportFormat format) {
   switch (format) {
@@ -31,27 +49,36 @@ const char* exportWord(ExportFormat format) {
     case ExportFormat::Vtu: return "vtu";
     case ExportFormat::Scn: return "scn";
     case ExportFormat::Feb: return "feb";
+    case ExportFormat::Inp: return "inp";
     case ExportFormat::Glb: return "glb";
   }
   return "";
 }
 
-Result<ExportReport> exportJoint(const Joint& whole, ExportFormat format, const std::string& path, const std::string& part) {
-  if (const auto good = checkJoint(whole, {}); !good) return good.error();
-  const int index = part.empty() ? -1 : findPart(whole, part);
-  if (!part.empty() && index < 0) return Error{Fault::UnknownId, {}, {part, "part"}, "export"};
-  const Joint joint = part.empty() ? whole : onlyPart(whole, index);
-  if ((format == ExportFormat::Msh || format == ExportFormat::Vtu) && softParts(joint).empty())
-    return Error{Fault::Unusable, {{}, {}, part, {}}, {"no volume to export"}, "export"};
+Result<ExportReport> exportJoint(const Joint& original, ExportFormat format, const std::string& path, const ExportWish& wish) {
+  if (const auto good = checkJoint(original, {}); !good) return good.error();
+  const int index = wish.part.empty() ? -1 : findPart(original, wish.part);
+  if (!wish.part.empty() && index < 0) return Error{Fault::UnknownId, {}, {wish.part, "part"}, "export"};
+  Joint whole = original;
+  if (holdsVolumes(format) && wish.mesh == ExportMesh::Conforming)
+    if (const auto done = conform(whole, index, wish); !done) return done.error();
+  const Joint joint = index < 0 ? whole : onlyPart(whole, index);
+  const bool solidsAlone = format == ExportFormat::Msh || format == ExportFormat::Vtu || format == ExportFormat::Inp;
+  if (solidsAlone && softParts(joint).empty())
+    return Error{Fault::Unusable, {{}, {}, wish.part, {}}, {"no volume to export"}, "export"};
   Result<Written> written = Error{};
   switch (format) {
-    case ExportFormat::Msh: written = writeMsh(joint); break;
-    case ExportFormat::Vtu: written = writeVtu(joint); break;
-    case ExportFormat::Scn: written = writeSofa(joint); break;
-    case ExportFormat::Feb: written = writeFebio(joint); break;
+    case ExportFormat::Msh: written = writeMsh(joint, wish.mesh); break;
+    case ExportFormat::Vtu: written = writeVtu(joint, wish.mesh); break;
+    case ExportFormat::Scn: written = writeSofa(joint, wish.mesh); break;
+    case ExportFormat::Feb: written = writeFebio(joint, wish.mesh); break;
+    case ExportFormat::Inp: written = writeCalculix(whole, wish.mesh, index); break;
     case ExportFormat::Glb: written = writeGltf(joint); break;
   }
   if (!written) return written.error();
+  if (holdsVolumes(format))
+    for (const Part* part : softParts(joint)) written->report.solids.push_back(figuresOf(*part));
+  if (wish.stop && *wish.stop) return Error{Fault::Cancelled, {}, {}, "export"};
   if (const auto saved = writeWholeFile(path, written->bytes); !saved) return saved.error();
   return written->report;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <atomic>
 #include <string>
 #include <vector>
 
 #include "simcore/base/Error.h"
+#include "simcore/export/ConformingMesh.h"
 #include "simcore/scene/Joint.h"
 
 namespace glenoid {
@@ -14,12 +16,34 @@ enum class ExportFormat {
   Vtu,  ///< VTK XML unstructured grid, ASCII: volumes with tissue. Source: VTK file formats, The VTK User's Guide
   Scn,  ///< SOFA scene, XML, component names of v23.12. Source: SOFA's component documentation
   Feb,  ///< FEBio input, specification 4.0. Source: FEBio user's manual 4
+  Inp,  ///< CalculiX input deck: tetrahedra of ten nodes, rigid ends, an example of a step. Source: Dhondt, CalculiX CrunchiX user's manual 2.20
   Glb,  ///< glTF 2.0 binary: surfaces. Source: Khronos, glTF 2.0 specification
 };
 inline constexpr ExportFormat kExportFormats[] = {ExportFormat::Msh, ExportFormat::Vtu, ExportFormat::Scn, ExportFormat::Feb,
-                                                  ExportFormat::Glb};
+                                                  ExportFormat::Inp, ExportFormat::Glb};
 /// "msh", "vtu", …: the word of the command line and the ending of the file.
 const char* exportWord(ExportFormat format);
+/// Whether it holds tetrahedra.
+bool holdsVolumes(ExportFormat format);
+
+/// Of which tetrahedra soft parts are written.
+enum class ExportMesh {
+  Cells,       ///< those that the simulation has, which stand out of the part: their volume is several times its own
+  Conforming,  ///< of the part itself, see ConformingMesh.h; for solvers
+};
+inline constexpr ExportMesh kExportMeshes[] = {ExportMesh::Cells, ExportMesh::Conforming};
+/// "cells", "conforming".
+const char* exportMeshWord(ExportMesh mesh);
+
+/// What is written unless something else is asked for: a deck for a solver is of the parts, the others have always held cells.
+ExportMesh usualMesh(ExportFormat format);
+
+struct ExportWish {
+  std::string part = {};                    ///< id; empty: all
+  ExportMesh mesh = ExportMesh::Cells;
+  TetSize size = {};                        ///< of conforming tetrahedra
+  const std::atomic<bool>* stop = nullptr;  ///< set to give up; nothing is written then
+};
 
 /// What a format cannot say, or says otherwise. The sentences are made at the top.
 enum class LossKind {
@@ -51,14 +75,26 @@ struct Loss {
   bool operator==(const Loss&) const = default;
 };
 
+/// What the tetrahedra of a soft part are like.
+struct SolidFigures {
+  std::string part;           ///< id
+  long tetrahedra = 0;
+  double volume = 0;          ///< m³, of the tetrahedra
+  double partVolume = 0;      ///< m³, that the part's own surface encloses
+  double leastDihedral = 0;   ///< rad, least angle between two faces of a tetrahedron; regular: 1.23
+  double leastRadiusRatio = 0;///< least of three times the insphere's radius over the circumsphere's; regular: 1
+};
+SolidFigures figuresOf(const Part& part);
+
 struct ExportReport {
   std::vector<Loss> losses;
+  std::vector<SolidFigures> solids;               ///< of a format that holds volumes, in the joint's order
   long nodes = 0, tetrahedra = 0, triangles = 0;  ///< written
 };
 
-/// Writes the joint, or one part of it, atomically; `part`: id, empty for all. Fails as checkJoint does (nothing is
-/// written of a joint that could not be saved), with UnknownId (arguments: id, "part"), with Unusable where the format
-/// holds volumes and there are none, and as writeWholeFile does.
-Result<ExportReport> exportJoint(const Joint& joint, ExportFormat format, const std::string& path, const std::string& part = {});
+/// Writes the joint, or one part of it, atomically. Fails as checkJoint does (nothing is written of a joint that could not be
+/// saved), with UnknownId (arguments: id, "part"), with Unusable where the format holds volumes alone and there are none, as
+/// conformingMesh and as writeWholeFile do.
+Result<ExportReport> exportJoint(const Joint& joint, ExportFormat format, const std::string& path, const ExportWish& wish = {});
 
 }  // namespace glenoid

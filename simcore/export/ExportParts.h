@@ -44,15 +44,18 @@ struct PartTissue {
   std::vector<int> material;   ///< in joint.materials
   std::vector<double> fill;    ///< part of it that is tissue, (0, 1]
 };
-PartTissue tissueOf(const Joint& joint, const Part& part);
+PartTissue tissueOf(const Joint& joint, const Part& part, ExportMesh mesh);
 
 /// Soft parts in the joint's order.
 std::vector<const Part*> softParts(const Joint& joint);
 
-Result<Written> writeMsh(const Joint& joint);
-Result<Written> writeVtu(const Joint& joint);
-Result<Written> writeSofa(const Joint& joint);
-Result<Written> writeFebio(const Joint& joint);
+// Of a joint whose volumes are already those that `mesh` says.
+Result<Written> writeMsh(const Joint& joint, ExportMesh mesh);
+Result<Written> writeVtu(const Joint& joint, ExportMesh mesh);
+Result<Written> writeSofa(const Joint& joint, ExportMesh mesh);
+Result<Written> writeFebio(const Joint& joint, ExportMesh mesh);
 Result<Written> writeGltf(const Joint& joint);
+/// `only`: index of the one soft part that is written, else −1. Then what it is bonded to is known but left out.
+Result<Written> writeCalculix(const Joint& joint, ExportMesh mesh, int only);
 
 }  // namespace glenoid::exporting

@@ -32,7 +32,7 @@ struct Body {
 
 class SofaScene {
  public:
-  explicit SofaScene(const Joint& joint) : m_joint(joint) {}
+  SofaScene(const Joint& joint, ExportMesh mesh) : m_joint(joint), m_mesh(mesh) {}
 
   Result<Written> write() {
     if (const auto made = makeBodies(); !made) return made.error();
@@ -154,7 +154,7 @@ class SofaScene {
   void writeSoft(const Body& body) {
     const Part& part = *body.part;
     const TetMesh& mesh = *part.volume;
-    const PartTissue tissue = tissueOf(m_joint, part);
+    const PartTissue tissue = tissueOf(m_joint, part, m_mesh);
     std::vector<double> masses(mesh.nodes.size(), 0);
     double poisson = 0, volume = 0;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -218,6 +218,7 @@ class SofaScene {
   }
 
   const Joint& m_joint;
+  ExportMesh m_mesh;
   std::vector<Body> m_bodies;
   std::string m_springs;
   long m_fixed = 0;
@@ -226,6 +227,6 @@ class SofaScene {
 
 }  // namespace
 
-Result<Written> writeSofa(const Joint& joint) { return SofaScene(joint).write(); }
+Result<Written> writeSofa(const Joint& joint, ExportMesh mesh) { return SofaScene(joint, mesh).write(); }
 
 }  // namespace glenoid::exporting

@@ -36,9 +36,13 @@ std::string quotedName(std::string name) {
 
 }  // namespace
 
-Result<Written> writeMsh(const Joint& joint) {
+Result<Written> writeMsh(const Joint& joint, ExportMesh mesh) {
   Written out;
   const auto parts = softParts(joint);
+  long partly = 0;
+  for (const Part* part : parts)
+    for (const double fill : tissueOf(joint, *part, mesh).fill) partly += fill < 1 - 1e-9;
+  out.lose(LossKind::FillFractions, partly);
   count(parts, out);
   loseAllButVolumes(joint, out);
   out.lose(LossKind::Materials, static_cast<long>(joint.materials.size()));
@@ -80,7 +84,7 @@ Result<Written> writeMsh(const Joint& joint) {
   return out;
 }
 
-Result<Written> writeVtu(const Joint& joint) {
+Result<Written> writeVtu(const Joint& joint, ExportMesh mesh) {
   Written out;
   const auto parts = softParts(joint);
   count(parts, out);
@@ -88,7 +92,7 @@ Result<Written> writeVtu(const Joint& joint) {
   std::vector<PartTissue> tissues;
   std::vector<std::vector<Vec3>> starts;
   for (const Part* part : parts) {
-    tissues.push_back(tissueOf(joint, *part));
+    tissues.push_back(tissueOf(joint, *part, mesh));
     auto start = startNodes(joint, *part);
     if (!start) return start.error();
     starts.push_back(std::move(*start));

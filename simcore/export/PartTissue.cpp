@@ -6,9 +6,9 @@
 
 namespace glenoid::exporting {
 
-PartTissue tissueOf(const Joint& joint, const Part& part) {
+PartTissue tissueOf(const Joint& joint, const Part& part, ExportMesh mesh) {
   PartTissue tissue;
-  tissue.fill = fillFractions(*part.volume, *part.visual);
+  tissue.fill = mesh == ExportMesh::Conforming ? std::vector<double>(part.volume->tets.size(), 1) : fillFractions(*part.volume, *part.visual);
   for (const int use : labelTets(*part.volume, *part.visual, useOfTriangles(part)))
     tissue.material.push_back(findMaterial(joint, part.materials[use].material));
   return tissue;

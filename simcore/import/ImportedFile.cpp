@@ -47,6 +47,18 @@ const char* importNoteName(ImportNote note) {
   return "";
 }
 
+const char* fileAxesName(FileAxes axes) {
+  switch (axes) {
+    case FileAxes::Unsaid: return "";
+    case FileAxes::Lps: return "LPS";
+    case FileAxes::Ras: return "RAS";
+    case FileAxes::XUp: return "X up";
+    case FileAxes::YUp: return "Y up";
+    case FileAxes::ZUp: return "Z up";
+  }
+  return "";
+}
+
 void addNote(std::vector<NoteCount>& notes, ImportNote note, long count) {
   if (count <= 0) return;
   const auto at = std::lower_bound(notes.begin(), notes.end(), note,

@@ -38,6 +38,13 @@ struct NoteCount {
   bool operator==(const NoteCount&) const = default;
 };
 
+/// The frame that a file says its coordinates are in: left, posterior, superior or right, anterior, superior (3D Slicer and
+/// others write SPACE=LPS or RAS), or which axis points up, where it says no more.
+enum class FileAxes { Unsaid, Lps, Ras, XUp, YUp, ZUp };
+inline constexpr int kFileAxesCount = static_cast<int>(FileAxes::ZUp) + 1;
+/// "LPS", "RAS", "X up" …; empty for Unsaid.
+const char* fileAxesName(FileAxes axes);
+
 /// One surface of a file, with the file's own units and axes; transforms of its nodes are applied. Indices are
 /// valid and coordinates finite, nothing else is promised.
 struct ImportedSurface {
@@ -48,6 +55,7 @@ struct ImportedSurface {
 struct ImportedFile {
   std::string format;                    ///< "STL", "OBJ" …
   std::optional<double> metresPerUnit;   ///< where the file or its format says it
+  FileAxes axes = FileAxes::Unsaid;
   std::vector<ImportedSurface> surfaces; ///< at least one, each with triangles
   std::vector<NoteCount> notes;          ///< ascending by note, counts > 0
 };

@@ -5,6 +5,7 @@
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/AssimpRead.h"
+#include "simcore/import/FileAxes.h"
 #include "simcore/import/GltfExtensions.h"
 #include "simcore/import/MeshFormat.h"
 #include "simcore/import/TextSurfaces.h"
@@ -31,35 +32,52 @@ Result<ImportedFile> readNamed(const std::string& path, MeshFormat format, long 
   return file;
 }
 
+Result<ImportedFile> readGltf(const std::string& bytes, const std::string& path, MeshFormat format, long long triangles) {
+  if (const auto unknown = extensionsNotUnderstood(bytes, format == MeshFormat::Glb); !unknown.empty()) {
+    std::string names;
+    for (const std::string& name : unknown) names += (names.empty() ? "" : ", ") + name;
+    return Error{Fault::BadMesh, {path, {}, {}, {}}, {"it requires what is not understood here (" + names + "): write it without that, or in another format"}, "glTF"};
+  }
+  return readWithAssimp(path, format, triangles);
+}
+
+Result<ImportedFile> readObj(const std::string& bytes, const std::string& path, long long triangles) {
+  Result<ImportedFile> file = readNamed(path, MeshFormat::Obj, triangles, objForReader(bytes));
+  if (!file) return file;
+  const ObjComments comments = objComments(bytes);
+  if (!comments.name.empty() && file->surfaces.size() == 1) file->surfaces[0].name = comments.name;
+  if (!file->metresPerUnit) file->metresPerUnit = comments.metresPerUnit;
+  return file;
+}
+
+Result<ImportedFile> readBytes(const std::string& bytes, const std::string& path, MeshFormat format, long long triangles) {
+  switch (format) {
+    case MeshFormat::Ply: return parsePlySurface(bytes, path);
+    case MeshFormat::Vtp:
+    case MeshFormat::Vtu: return parseVtp(bytes, path);
+    case MeshFormat::VtkLegacy: return parseVtkSurface(bytes, path);
+    case MeshFormat::Stl: {
+      const Result<TextSurfaces> text = stlForReader(bytes, path);
+      if (!text) return text.error();
+      return readNamed(path, format, triangles, *text);
+    }
+    case MeshFormat::Gltf:
+    case MeshFormat::Glb: return readGltf(bytes, path, format, triangles);
+    case MeshFormat::Obj: return readObj(bytes, path, triangles);
+    default: return readWithAssimp(path, format, triangles);
+  }
+}
+
 Result<ImportedFile> readAsItIs(const std::string& path, long long triangles) {
-  const Error unknown{Fault::UnknownFormat, {path, {}, {}, {}}, {}, "import"};
   auto format = formatByEnding(path);
-  if (!format) return unknown;
+  if (!format) return Error{Fault::UnknownFormat, {path, {}, {}, {}}, {}, "import"};
   const Result<std::string> bytes = readWholeFile(path);
   if (!bytes) return bytes.error();
   if (const std::string instead = notTheFile(*bytes); !instead.empty()) return Error{Fault::BadMesh, {path, {}, {}, {}}, {instead}, "import"};
   if (const auto seen = formatByContent(*bytes)) format = seen;  // the bytes know better than the name
-  switch (*format) {
-    case MeshFormat::Ply: return parsePlySurface(*bytes, path);
-    case MeshFormat::Vtp:
-    case MeshFormat::Vtu: return parseVtp(*bytes, path);
-    case MeshFormat::VtkLegacy: return parseVtkSurface(*bytes, path);
-    case MeshFormat::Stl: {
-      const Result<TextSurfaces> text = stlForReader(*bytes, path);
-      if (!text) return text.error();
-      return readNamed(path, *format, triangles, *text);
-    }
-    case MeshFormat::Gltf:
-    case MeshFormat::Glb:
-      if (const auto unknown = extensionsNotUnderstood(*bytes, *format == MeshFormat::Glb); !unknown.empty()) {
-        std::string names;
-        for (const std::string& name : unknown) names += (names.empty() ? "" : ", ") + name;
-        return Error{Fault::BadMesh, {path, {}, {}, {}}, {"it requires what is not understood here (" + names + "): write it without that, or in another format"}, "glTF"};
-      }
-      return readWithAssimp(path, *format, triangles);
-    case MeshFormat::Obj: return readNamed(path, *format, triangles, objForReader(*bytes));
-    default: return readWithAssimp(path, *format, triangles);
-  }
+  Result<ImportedFile> file = readBytes(*bytes, path, *format, triangles);
+  if (file && file->axes == FileAxes::Unsaid) file->axes = axesSaidIn(*bytes, *format);
+  return file;
 }
 
 }  // namespace

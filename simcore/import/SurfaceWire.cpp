@@ -8,7 +8,7 @@
 namespace glenoid {
 namespace {
 
-constexpr std::string_view kBegin = "glenoid-import-1", kEnd = "glenoid-import-e";
+constexpr std::string_view kBegin = "glenoid-import-2", kEnd = "glenoid-import-e";
 constexpr std::size_t kMostText = 10000;
 
 class Writer {
@@ -87,6 +87,7 @@ Error readError(Reader& from, const std::string& file) {
 void writeFile(Writer& to, const ImportedFile& file) {
   to.text(file.format);
   to.number(file.metresPerUnit.value_or(0));
+  to.number(static_cast<std::int32_t>(file.axes));
   to.number(static_cast<std::uint64_t>(file.notes.size()));
   for (const NoteCount& note : file.notes) {
     to.number(static_cast<std::int32_t>(note.note));
@@ -126,6 +127,9 @@ ImportedFile readFile(Reader& from) {
   const double unit = from.number<double>();
   if (!(unit >= 0 && std::isfinite(unit))) from.bad = true;
   if (unit > 0) file.metresPerUnit = unit;
+  const auto axes = from.number<std::int32_t>();
+  if (axes < 0 || axes >= kFileAxesCount) from.bad = true;
+  if (!from.bad) file.axes = static_cast<FileAxes>(axes);
   const std::size_t notes = from.count(12);
   for (std::size_t i = 0; i < notes && !from.bad; ++i) {
     const auto note = from.number<std::int32_t>();

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "simcore/file/ByteReader.h"
+#include "simcore/import/FileAxes.h"
 #include "simcore/import/VtkSurface.h"
 #include "simcore/import/VtpData.h"
 #include "simcore/import/XmlScan.h"
@@ -31,7 +32,9 @@ class VtpFile {
     if (!readTags()) return m_error;
     for (const Piece& piece : m_pieces)
       if (!readPiece(piece)) return m_error;
-    return m_cells.finish(m_grid ? "VTU" : "VTP");
+    Result<ImportedFile> file = m_cells.finish(m_grid ? "VTU" : "VTP");
+    if (file && m_space) file->axes = spaceOf(*m_space);
+    return file;
   }
 
  private:
@@ -71,6 +74,8 @@ class VtpFile {
         m_pieces.emplace_back();
         if (!readCounts(*tag)) return false;
         section.clear();
+      } else if (tag->name == "Array" && !tag->closing && m_pieces.empty() && tag->attribute("Name") == "SPACE") {
+        m_space = arrayAt(*tag, scan);
       } else if (tag->name == "DataArray" && !tag->closing) {
         if (m_pieces.empty()) continue;
         takeArray(*tag, section, scan);
@@ -97,15 +102,30 @@ class VtpFile {
     return true;
   }
 
+  static VtpArray arrayAt(const XmlScan::Tag& tag, const XmlScan& scan) {
+    VtpArray array{tag.attribute("type"), tag.attribute("format", "ascii"), tag.empty ? std::string_view() : scan.textHere(), 0};
+    if (const auto offset = integerIn(tag.attribute("offset", "0")); offset && *offset >= 0)
+      array.offset = static_cast<unsigned long long>(*offset);
+    return array;
+  }
+
+  /// A string is the codes of its characters, and 0 at its end.
+  FileAxes spaceOf(VtpArray array) const {
+    array.type = "UInt8";
+    std::string word;
+    if (const auto codes = vtpNumbers(array, m_packing, 16))
+      for (const double code : *codes)
+        if (code >= 'A' && code <= 'z') word += static_cast<char>(code);
+    return spaceNamed(word);
+  }
+
   void takeArray(const XmlScan::Tag& tag, const std::string& section, const XmlScan& scan) {
     Piece& piece = m_pieces.back();
     if (section == "PointData" || section == "CellData") {
       m_cells.note(ImportNote::DataDropped, 1);
       return;
     }
-    VtpArray array{tag.attribute("type"), tag.attribute("format", "ascii"), tag.empty ? std::string_view() : scan.textHere(), 0};
-    if (const auto offset = integerIn(tag.attribute("offset", "0")); offset && *offset >= 0)
-      array.offset = static_cast<unsigned long long>(*offset);
+    const VtpArray array = arrayAt(tag, scan);
     const std::string name = tag.attribute("Name");
     if (section == "Points" && !piece.coordinates) piece.coordinates = array;
     if (section != "Polys" && section != "Strips" && section != "Cells") return;
@@ -177,6 +197,7 @@ class VtpFile {
   VtkCells m_cells;
   VtpPacking m_packing;
   std::vector<Piece> m_pieces;
+  std::optional<VtpArray> m_space;  ///< of the coordinates
   bool m_grid = false;
   Error m_error;
 };

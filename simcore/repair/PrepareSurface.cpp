@@ -32,7 +32,8 @@ Result<PreparedSurface> prepareSurface(const ImportedFile& file, const SurfaceSo
   out.trianglesBefore = static_cast<long>((*surface)->mesh.triangles.size());
   if (!source.metresPerUnit && !file.metresPerUnit) return unclear("the file names no unit; source.unit must");
   out.metresPerUnit = source.metresPerUnit.value_or(file.metresPerUnit.value_or(1));
-  out.mesh = placed((*surface)->mesh, out.metresPerUnit, source.axes, source.translate_W);
+  const bool anatomical = file.axes == FileAxes::Lps || file.axes == FileAxes::Ras;
+  out.mesh = placed((*surface)->mesh, out.metresPerUnit, source.axes.value_or(anatomical ? proposedAxes(file.axes) : AxisMap{}), source.translate_W);
   if (source.shell >= 0) {
     std::vector<TriMesh> shells = shellsOf(out.mesh);
     if (source.shell >= static_cast<int>(shells.size()))

@@ -12,7 +12,7 @@ namespace glenoid {
 /// Lengths in repairs are therefore metres in the joint's frame W.
 struct SurfaceSource {
   std::optional<double> metresPerUnit;  ///< nothing: as the file says
-  AxisMap axes;                         ///< of the file that become X, Y, Z of W
+  std::optional<AxisMap> axes;          ///< of the file that become X, Y, Z of W; nothing: as its LPS or RAS asks for, else as they are
   Vec3 translate_W = Vec3::Zero();      ///< m, after the axes
   std::string surface;                  ///< name in the file; may be empty where there is one
   int shell = -1;                       ///< by area from 0; −1: all of them

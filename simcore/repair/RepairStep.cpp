@@ -228,6 +228,21 @@ Mat3 AxisMap::matrix() const {
   return m;
 }
 
+AxisMap proposedAxes(FileAxes said) {
+  switch (said) {
+    case FileAxes::Lps:
+    case FileAxes::ZUp: return {{1, 2, 0}, {-1, 1, -1}};
+    case FileAxes::Ras: return {{1, 2, 0}, {1, 1, 1}};
+    default: return {};
+  }
+}
+
+std::string axisWords(const AxisMap& map) {
+  std::string out;
+  for (int i = 0; i < 3; ++i) out += std::string(i ? " " : "") + (map.sign[i] < 0 ? "-" : "") + "xyz"[map.axis[i]];
+  return out;
+}
+
 Result<AxisMap> axisMapFrom(const std::array<std::string, 3>& words) {
   AxisMap map;
   std::array<bool, 3> used{};

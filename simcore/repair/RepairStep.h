@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simcore/base/Error.h"
+#include "simcore/import/ImportedFile.h"
 #include "simcore/mesh/TriMesh.h"
 
 namespace glenoid {
@@ -79,6 +80,12 @@ struct AxisMap {
   Mat3 matrix() const;  ///< x_new = matrix() x; determinant −1 mirrors
   bool operator==(const AxisMap&) const = default;
 };
+
+/// The map that makes a file's axes ours (X forward, Y up, Z to the right) where the file says enough: LPS {"-y", "z", "-x"}, RAS
+/// {"y", "z", "x"}; Z up is taken as LPS is; else as they are.
+AxisMap proposedAxes(FileAxes said);
+/// "-y z -x", as --axes takes it.
+std::string axisWords(const AxisMap& map);
 
 /// From three words; BadUsage unless each axis is named once.
 Result<AxisMap> axisMapFrom(const std::array<std::string, 3>& words);

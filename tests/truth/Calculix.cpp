@@ -77,19 +77,18 @@ std::optional<Mat3> stressAt(const std::string& path, int node) {
   return std::nullopt;
 }
 
-/// Runs the program on body.inp in a folder.
-bool runIn(const TemporaryFolder& folder) {
-  return std::system(("cd '" + folder.path() + "' && OMP_NUM_THREADS=1 ccx -i body > ccx.log 2>&1").c_str()) == 0;
-}
-
 }  // namespace
+
+bool runCalculix(const std::string& folder, const std::string& name) {
+  return std::system(("cd '" + folder + "' && OMP_NUM_THREADS=1 ccx -i " + name + " > ccx.log 2>&1").c_str()) == 0;
+}
 
 bool hasCalculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
 
 std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z) {
   const TemporaryFolder folder;
   const Nodes nodes = writeInput(problem, folder.path("body.inp"));
-  if (!runIn(folder)) return std::nullopt;
+  if (!runCalculix(folder.path(), "body")) return std::nullopt;
   const auto half = [](double share, int count) { return static_cast<int>(std::lround(2 * share * count)); };
   return stressAt(folder.path("body.frd"), nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
 }
@@ -97,7 +96,7 @@ std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, doub
 std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count) {
   const TemporaryFolder folder;
   writeInput(problem, folder.path("body.inp"), density, count);
-  if (!runIn(folder)) return std::nullopt;
+  if (!runCalculix(folder.path(), "body")) return std::nullopt;
   // A table of number, eigenvalue and frequency in radians and in cycles for each time, under a title in spaced capitals.
   std::ifstream in(folder.path("body.dat"));
   std::vector<double> found;

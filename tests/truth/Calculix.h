@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "simcore/base/Math.h"
@@ -21,6 +22,9 @@ struct BrickProblem {
   double pressure = 0;                      ///< on it, inwards
   std::function<double(double, double)> lift = {};  ///< by how much the body stands higher over (s, t)
 };
+
+/// Runs the program on NAME.inp in a folder; whether it ended well.
+bool runCalculix(const std::string& folder, const std::string& name);
 
 /// Whether the program is installed here.
 bool hasCalculix();

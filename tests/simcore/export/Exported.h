@@ -10,8 +10,9 @@ namespace glenoid {
 
 /// A joint written in one format, and what the file holds.
 struct Exported {
-  Exported(const Joint& joint, ExportFormat format, const std::string& part = {}) {
-    auto done = exportJoint(joint, format, folder.path("x"), part);
+  Exported(const Joint& joint, ExportFormat format, const std::string& part = {}) : Exported(joint, format, ExportWish{part, {}, {}, {}}) {}
+  Exported(const Joint& joint, ExportFormat format, const ExportWish& wish) {
+    auto done = exportJoint(joint, format, folder.path("x"), wish);
     EXPECT_TRUE(done.ok()) << toLogLine(done.error());
     if (done.ok()) report = *done;
     text = folder.get("x");

@@ -246,8 +246,8 @@ TEST(ExportVtu, thirdsAndHugeNumbersNeedNoLocale) {
 TEST(ExportJoint, whatCannotBeExportedIsRefusedAndNothingIsWritten) {
   const TemporaryFolder folder;
   Joint joint = richJoint();
-  EXPECT_EQ(exportJoint(joint, ExportFormat::Msh, folder.path("x"), "elbow").error().fault, Fault::UnknownId);
-  EXPECT_EQ(exportJoint(joint, ExportFormat::Vtu, folder.path("x"), joint.parts[0].id).error().fault, Fault::Unusable);
+  EXPECT_EQ(exportJoint(joint, ExportFormat::Msh, folder.path("x"), {.part = "elbow"}).error().fault, Fault::UnknownId);
+  EXPECT_EQ(exportJoint(joint, ExportFormat::Vtu, folder.path("x"), {.part = joint.parts[0].id}).error().fault, Fault::Unusable);
   EXPECT_EQ(exportJoint(joint, ExportFormat::Glb, folder.path("no/x")).error().fault, Fault::FileMissing);
   changeMesh(joint.parts[0].visual, [](TriMesh& m) { m.triangles[0][0] = 1 << 20; });
   for (const ExportFormat format : kExportFormats)

@@ -44,6 +44,63 @@ TEST(ImportSurfaces, everyFormatGivesTheSameBox) {
   }
 }
 
+std::string withFirst(const std::string& text, const std::string& from, const std::string& to) {
+  std::string out = text;
+  const std::size_t at = out.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? out : out.replace(at, from.size(), to);
+}
+
+// What writers say of the frame of their coordinates, and where.
+TEST(ImportSurfaces, axesThatAFileNamesAreKept) {
+  struct Said {
+    const char *writer, *name;
+    std::string bytes;
+    FileAxes axes;
+  };
+  std::string binary = samples::stlBinary();
+  const std::string header = "3D Slicer output. SPACE=RAS";
+  binary.replace(0, header.size(), header);
+  const std::string triangle = "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
+  const std::string vtp = samples::vtp(samples::VtpForm::Ascii, false, false);
+  const auto field = [&](const char* attributes, const char* text) {
+    return withFirst(vtp, "<Piece", std::string("<FieldData><Array type=\"String\" Name=\"SPACE\" NumberOfTuples=\"1\" ") + attributes + ">" + text + "</Array></FieldData><Piece");
+  };
+  const Said all[] = {
+      {"3D Slicer 5, text STL", "a.stl", withFirst(samples::stlText(), samples::stlText().substr(0, samples::stlText().find('\n')), "solid 3D Slicer output. SPACE=LPS"), FileAxes::Lps},
+      {"3D Slicer 5, binary STL", "b.stl", binary, FileAxes::Ras},
+      {"3D Slicer 5, OBJ", "a.obj", "# 3D Slicer output. SPACE=LPS\n" + samples::obj(), FileAxes::Lps},
+      {"3D Slicer 5, PLY", "a.ply", "ply\nformat ascii 1.0\ncomment 3D Slicer output. SPACE=RAS\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", FileAxes::Ras},
+      {"3D Slicer 5, legacy VTK by its title", "a.vtk", "# vtk DataFile Version 4.2\n3D Slicer output. SPACE=LPS\nASCII\nDATASET POLYDATA\n" + triangle, FileAxes::Lps},
+      {"VTK 9.1 of Slicer's VTP, legacy VTK by a field", "b.vtk",
+       "# vtk DataFile Version 5.1\nvtk output\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nSPACE 1 1 string\nRAS\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+       "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n", FileAxes::Ras},
+      {"3D Slicer 5, VTP in ascii", "a.vtp", field("format=\"ascii\"", "76 80 83 0"), FileAxes::Lps},
+      {"VTK 9.1, VTP in binary without compression", "b.vtp", field("format=\"binary\"", samples::base64(std::string("\4\0\0\0RAS\0", 8)).c_str()), FileAxes::Ras},
+      {"glTF 2.0, by its specification", "a.gltf", samples::gltf(), FileAxes::YUp},
+      {"COLLADA 1.4 without up_axis", "a.dae", withFirst(samples::dae({}, false), "<up_axis>Z_UP</up_axis>", ""), FileAxes::YUp},
+      {"Blender 3.4, COLLADA", "b.dae", samples::dae({}, false), FileAxes::ZUp},
+      {"meshio 5.0, STL that says nothing", "c.stl", samples::stlText(), FileAxes::Unsaid},
+      {"a name that only looks like it", "b.obj", "# SPACE=LOCAL\n" + samples::obj(), FileAxes::Unsaid},
+  };
+  const TemporaryFolder folder;
+  for (const Said& said : all) {
+    const auto file = importSurfaces(folder.put(said.name, said.bytes));
+    ASSERT_TRUE(file.ok()) << said.writer << ": " << toLogLine(file.error());
+    EXPECT_STREQ(fileAxesName(file->axes), fileAxesName(said.axes)) << said.writer;
+  }
+}
+
+TEST(ImportSurfaces, namesAndUnitsInCommentsOfBodyParts3D) {
+  const TemporaryFolder folder;
+  const std::string comments = "# Representation : FJ3147\n# English name : left humerus\n# Bounds(mm): (0,0,0)-(1,2,3)\n# Volume(cm3): 0.006\n";
+  const auto file = importSurfaces(folder.put("FJ3147.obj", comments + withFirst(samples::obj(), "o box", "g FJ3147")));
+  ASSERT_TRUE(file.ok()) << toLogLine(file.error());
+  EXPECT_EQ(file->surfaces[0].name, "left humerus");
+  EXPECT_EQ(file->metresPerUnit.value_or(0), 1e-3);
+}
+
 TEST(ImportSurfaces, whatIsLostIsSaid) {
   const TemporaryFolder folder;
   const auto obj = importSurfaces(folder.put("a.obj", samples::obj() + "l 1 2\np 3\n"));
