@@ -19,11 +19,13 @@ namespace glenoid {
 
 namespace {
 
-constexpr std::size_t kFirstPlaces = 12;  ///< on a tissue; then twice as many, and so on while they tell more
+constexpr double kSpacing = 0.016;       ///< m, of places, as far as their number allows
+constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue; then twice as many, and so on while they tell more
 constexpr double kForetold = 0.1;        ///< of a compliance: between places that differ from their neighbours by less than this more tell no more
 constexpr double kSurprises = 0.1;       ///< share of the places that may differ by more
 constexpr double kElements = 1500;   ///< cells of the whole part, about
 constexpr double kStandsFor = 0.5;     ///< of a part's volume: fine cells that hold less do not stand for it
+constexpr double kLeastShare = 0.02;     ///< of a half-space: near a rim that bends the surface behind may move more than the one that is pressed
 constexpr double kThicknessShare = 0.4;  ///< a tip past the middle of a band would come out on its other side
 
 Error inPart(Error error, const std::string& part) {
@@ -52,19 +54,27 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<doub
   return taken;
 }
 
-/// Places on one tissue: middles of the visual triangles that show one use of a material. Not vertices: those of an edge
-/// are softer than the faces, which are what a tip meets.
-std::vector<Vec3> placesOn(const Part& part, int use, int count) {
+/// Places on one tissue: middles of the visual triangles that show one use of a material and are not bonded to another part, as many as
+/// keep `kSpacing` from each other and at most `most`. Not vertices: those of an edge are softer than the faces, which are what a tip meets.
+std::vector<Vec3> placesOn(const Joint& joint, const Part& part, int use, int most) {
   std::vector<char> marked;
   for (const int own : useOfTriangles(part)) marked.push_back(own == use);
+  for (const Coupling& coupling : joint.couplings)
+    for (const Region& region : part.regions)
+      if (coupling.partA == part.id && coupling.regionA == region.id && region.surface == SurfaceKind::Visual)
+        for (const int t : trianglesOf(region)) marked[static_cast<std::size_t>(t)] = 0;
   std::vector<Vec3> middles;
   std::vector<double> areas;
-  for (const auto& c : part.visual->triangles) {
+  double whole = 0;
+  for (std::size_t t = 0; t < marked.size(); ++t) {
+    const auto& c = part.visual->triangles[t];
     const Vec3 &x = part.visual->vertices[c[0]], &y = part.visual->vertices[c[1]], &z = part.visual->vertices[c[2]];
     middles.push_back((x + y + z) / 3);
     areas.push_back(0.5 * (y - x).cross(z - x).norm());
+    if (marked[t]) whole += areas.back();
   }
-  return spread(middles, areas, marked, count);
+  const int wanted = static_cast<int>(std::ceil(whole / (kSpacing * kSpacing)));
+  return spread(middles, areas, marked, std::min(most, std::max(wanted, static_cast<int>(kFirstPlaces))));
 }
 
 /// Where the normal into the part from a place of the surface comes out of it again. Where the place is an edge the ray begins
@@ -143,8 +153,10 @@ void press(const Joint& joint, double radius, const Shares& shown, Spot& spot) {
     return;
   }
   const std::vector<double> found = fine->compliances(patches, back);
-  for (std::size_t k = 0; k < found.size(); ++k)
-    spot.sample->compliance[k] = found[k] + (1 - shown[k]) * diskCompliance(spot.sample->modulus, patches[k].radius);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double halfSpace = diskCompliance(spot.sample->modulus, patches[k].radius);
+    spot.sample->compliance[k] = std::max(found[k] + (1 - shown[k]) * halfSpace, kLeastShare * halfSpace);
+  }
 }
 
 /// All of them on all processors; false where it was cancelled. Every place is a problem of its own, so any number of
@@ -192,12 +204,12 @@ DentTable tableOf(const std::vector<Spot>& spots, int part, double radius) {
 bool foretold(const std::vector<Spot>& spots, std::size_t first, std::size_t middle, double radius) {
   const DentTable known = tableOf(std::vector<Spot>(spots.begin() + static_cast<std::ptrdiff_t>(first), spots.begin() + static_cast<std::ptrdiff_t>(middle)), spots[first].part, radius);
   if (known.samples.empty()) return false;
-  std::vector<Vec3> normals;
-  for (std::size_t i = first; i < middle; ++i) normals.push_back(spots[i].normal_W);
-  const DentField field(known, normals);
+  std::vector<DentField::Facing> facings;
+  for (std::size_t i = first; i < middle; ++i) facings.push_back({spots[i].normal_W, spots[i].use});
+  const DentField field(known, facings);
   std::size_t surprises = 0;
   for (std::size_t i = middle; i < spots.size(); ++i) {
-    const TissueGive give = field.at(spots[i].at_W, spots[i].normal_W);
+    const TissueGive give = field.at(spots[i].at_W, {spots[i].normal_W, spots[i].use});
     bool right = !spots[i].tooThin;
     for (std::size_t k = 0; k < give.compliance.size(); ++k) right = right && std::abs(std::log(give.compliance[k] / spots[i].sample->compliance[k])) < kForetold;
     surprises += !right;
@@ -227,7 +239,7 @@ Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes
     if (!shares) return inPart(shares.error(), part.id);
     shown[index] = *shares;
     for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) {
-      const std::vector<Vec3> places = placesOn(part, use, wishes.places);
+      const std::vector<Vec3> places = placesOn(joint, part, use, wishes.places);
       const std::size_t before = spots.size();
       for (std::size_t count = kFirstPlaces; spots.size() - before < places.size(); count *= 2) {
         const std::size_t first = spots.size();

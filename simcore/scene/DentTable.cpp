@@ -12,14 +12,15 @@ namespace glenoid {
 namespace {
 
 /// How far two places are from each other, m.
-double apart(const Vec3& a, const Vec3& normalA, const Vec3& b, const Vec3& normalB) {
-  const double turn = DentField::kTurn * std::max(0.0, 1 - normalA.dot(normalB));
-  return std::sqrt((a - b).squaredNorm() + turn * turn);
+double apart(const Vec3& a, const DentField::Facing& facingA, const Vec3& b, const DentField::Facing& facingB) {
+  const double turn = DentField::kTurn * std::max(0.0, 1 - facingA.normal_W.dot(facingB.normal_W));
+  const double other = facingA.tissue == facingB.tissue ? 0 : DentField::kOther;
+  return std::sqrt((a - b).squaredNorm() + turn * turn + other * other);
 }
 
 }  // namespace
 
-DentField::DentField(const DentTable& table, std::span<const Vec3> normals_W) : m_radii(table.radii) {
+DentField::DentField(const DentTable& table, std::span<const Facing> facings) : m_radii(table.radii) {
   const auto n = static_cast<Eigen::Index>(table.samples.size());
   if (n == 0) return;
   m_least.fill(1e300);
@@ -27,7 +28,7 @@ DentField::DentField(const DentTable& table, std::span<const Vec3> normals_W) : 
   MatX A = MatX::Zero(n + 1, n + 1), values = MatX::Zero(n + 1, static_cast<Eigen::Index>(kValues));
   for (Eigen::Index i = 0; i < n; ++i) {
     const DentSample& sample = table.samples[static_cast<std::size_t>(i)];
-    m_places.push_back({sample.at_W, normals_W[static_cast<std::size_t>(i)], {}});
+    m_places.push_back({sample.at_W, facings[static_cast<std::size_t>(i)], {}});
     Values of{plain::logarithm(sample.modulus)};
     for (std::size_t k = 0; k < DentSample::kRadii; ++k) of[k + 1] = plain::logarithm(sample.compliance[k]);
     of[kValues - 1] = sample.depthMost;
@@ -42,7 +43,7 @@ DentField::DentField(const DentTable& table, std::span<const Vec3> normals_W) : 
     const Place& a = m_places[static_cast<std::size_t>(i)];
     for (Eigen::Index j = 0; j < n; ++j) {
       const Place& b = m_places[static_cast<std::size_t>(j)];
-      A(i, j) = i == j ? -kSame : apart(a.at_W, a.normal_W, b.at_W, b.normal_W);
+      A(i, j) = i == j ? -kSame : apart(a.at_W, a.facing, b.at_W, b.facing);
     }
     A(i, n) = A(n, i) = 1;
   }
@@ -53,10 +54,10 @@ DentField::DentField(const DentTable& table, std::span<const Vec3> normals_W) : 
   }
 }
 
-TissueGive DentField::at(const Vec3& place_W, const Vec3& normal_W) const {
+TissueGive DentField::at(const Vec3& place_W, const Facing& facing) const {
   Values value = m_even;
   for (const Place& place : m_places) {
-    const double far = apart(place_W, normal_W, place.at_W, place.normal_W);
+    const double far = apart(place_W, facing, place.at_W, place.facing);
     for (std::size_t k = 0; k < kValues; ++k) value[k] += far * place.factor[k];
   }
   for (std::size_t k = 0; k < kValues; ++k) value[k] = std::clamp(value[k], m_least[k], m_most[k]);

@@ -40,24 +40,31 @@ struct TissueGive {
 
 /// A table made ready to be asked: the logarithms of its samples but for the depth, each interpolated by Σ b_i |x − x_i| + b_0 with Σ b_i = 0 (the
 /// biharmonic spline of three dimensions), so what is even between its samples stays even; cut at the least and the most of them.
-/// Places count as farther apart the less their surface faces alike, by kTurn for a right angle: what a rim gives says little about the face beside it.
+/// Places count as farther apart the less their surface faces alike, by kTurn for a right angle, and by kOther where their tissue is another: what
+/// a rim gives says little about the face beside it, and a belly's little about its tendon.
 /// The same on every processor. Empty: nothing may be asked.
 class DentField {
  public:
-  static constexpr double kTurn = 0.02;  ///< m
+  static constexpr double kTurn = 0.02, kOther = 0.05;  ///< m
+  /// What a place of the surface is, beside where it lies.
+  struct Facing {
+    Vec3 normal_W;   ///< unit, outwards
+    int tissue = 0;  ///< which use of a material
+  };
 
   DentField() = default;
-  /// `normals_W`: unit, of the surface at each sample.
-  DentField(const DentTable& table, std::span<const Vec3> normals_W);
+  /// `facings`: of the surface at each sample.
+  DentField(const DentTable& table, std::span<const Facing> facings);
   bool empty() const { return m_places.empty(); }
   const std::array<double, DentSample::kRadii>& radii() const { return m_radii; }
-  TissueGive at(const Vec3& place_W, const Vec3& normal_W) const;  ///< at rest, m
+  TissueGive at(const Vec3& place_W, const Facing& facing) const;  ///< at rest, m
 
  private:
   static constexpr std::size_t kValues = DentSample::kRadii + 2;
   using Values = std::array<double, kValues>;  ///< log modulus, log compliances, depth
   struct Place {
-    Vec3 at_W, normal_W;
+    Vec3 at_W;
+    Facing facing;
     Values factor{};
   };
   std::vector<Place> m_places;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of what tissue gives under a tip, made ready for a run.
 #include <algorithm>
-#include <cmath>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/mesh/TetTools.h"
 #include "simcore/scene/JointFile.h"
+#include "simcore/scene/TriangleUse.h"
 #include "simcore/step/CompileObjects.h"
 #include "simcore/step/StaticResponse.h"
 
@@ -18,18 +19,19 @@ bool isRound(const Tool& tool) { return tool.kind != ToolKind::Bar; }
 double cellEdge(const TetMesh& mesh) {
   double volume = 0;
   for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) volume += tetVolume(mesh, t);
-  return std::cbrt(5 * volume / static_cast<double>(mesh.tets.size()));
+  return plain::cubeRoot(5 * volume / static_cast<double>(mesh.tets.size()));
 }
 
-/// Of the surface at each sample, outwards.
-std::vector<Vec3> normalsAt(const TriangleTree& surface, const std::vector<DentSample>& samples) {
-  std::vector<Vec3> normals;
+/// The surface at each sample.
+std::vector<DentField::Facing> facingsOf(const DentModel& dent, const std::vector<DentSample>& samples) {
+  std::vector<DentField::Facing> facings;
   for (const DentSample& sample : samples) {
-    const auto& corners = surface.mesh().triangles[static_cast<std::size_t>(surface.closest(sample.at_W).triangle)];
-    const auto corner = [&](std::size_t k) -> const Vec3& { return surface.mesh().vertices[static_cast<std::size_t>(corners[k])]; };
-    normals.push_back((corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized());
+    const auto triangle = static_cast<std::size_t>(dent.surface->closest(sample.at_W).triangle);
+    const auto& corners = dent.surface->mesh().triangles[triangle];
+    const auto corner = [&](std::size_t k) -> const Vec3& { return dent.surface->mesh().vertices[static_cast<std::size_t>(corners[k])]; };
+    facings.push_back({(corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized(), dent.tissue[triangle]});
   }
-  return normals;
+  return facings;
 }
 
 }  // namespace
@@ -41,7 +43,8 @@ std::vector<DentModel> compileDents(const Model& model) {
     const Part& part = model.joint.parts[i];
     if (!part.dents || part.dents->basis != dentBasis(model.joint, part)) continue;
     dents[i].surface = std::make_shared<const TriangleTree>(*part.visual);
-    dents[i].field = DentField(*part.dents, normalsAt(*dents[i].surface, part.dents->samples));
+    dents[i].tissue = useOfTriangles(part);
+    dents[i].field = DentField(*part.dents, facingsOf(dents[i], part.dents->samples));
     any = any || !dents[i].field.empty();
   }
   if (!any || std::none_of(model.scenario.tools.begin(), model.scenario.tools.end(), isRound)) dents.clear();

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "simcore/linear/Kernels.h"
+#include "simcore/collide/FeatureKey.h"
 #include "simcore/step/StepWork.h"
 
 namespace glenoid {
@@ -123,7 +124,8 @@ void Stepper::Work::findProximities(const State& state) {
   motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
   lastNormals.clear();
-  for (const State::Impulse& impulse : state.impulses) lastNormals.push_back({impulse.key, impulse.normal_W});
+  for (const State::Impulse& impulse : state.impulses)
+    if (!FeatureKey::isTouch(impulse.key)) lastNormals.push_back({impulse.key, impulse.normal_W});  // a touch is of no features
   proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt, lastNormals);
   const double selfMs = finder->counts().selfMs;
   collideReport.cpuMs[static_cast<int>(Stage::SelfContact)] += selfMs;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "simcore/base/PlainMath.h"
+
 namespace glenoid {
 
 namespace {
@@ -29,7 +31,7 @@ double missing(const TipLaw& law, double a) {
 }  // namespace
 
 double TipLaw::contactRadius(double force) const {
-  return std::clamp(std::cbrt(0.75 * std::max(force, 0.0) * radius / give.modulus), kLeastContact * radius, radius);
+  return std::clamp(plain::cubeRoot(0.75 * std::max(force, 0.0) * radius / give.modulus), kLeastContact * radius, radius);
 }
 
 double TipLaw::depth(double force) const {
@@ -50,7 +52,8 @@ double TipLaw::slope(double force) const {
 
 double TipLaw::force(double wanted) const {
   if (!(wanted > 0)) return 0;
-  double f = 4.0 / 3 * give.modulus * std::sqrt(radius) * std::pow(std::min(wanted, radius), 1.5);
+  const double shallow = std::min(wanted, radius);
+  double f = 4.0 / 3 * give.modulus * shallow * std::sqrt(radius * shallow);
   for (int n = 0; n < 8; ++n) f = std::max(0.5 * f, f + (wanted - depth(f)) / slope(f));
   return f;
 }

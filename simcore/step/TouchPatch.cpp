@@ -35,6 +35,7 @@ TouchPatch makeTouchPatch(const DentModel& dent, const SceneObject& object, cons
   const auto corner = [&](int k) -> const Vec3& { return dent.surface->mesh().vertices[static_cast<std::size_t>(corners[static_cast<std::size_t>(k)])]; };
   const Vec3 facing = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
   patch.middle = middle.point;
+  patch.tissue = dent.tissue[static_cast<std::size_t>(middle.triangle)];
   patch.middlePoint = pointOf(object, middle);
   patch.e1 = facing.unitOrthogonal();
   patch.e2 = facing.cross(patch.e1);
@@ -66,6 +67,12 @@ TouchPatch makeTouchPatch(const DentModel& dent, const SceneObject& object, cons
     patch.slopeWeights = {};
   }
   return patch;
+}
+
+double depthAt(const DentModel& dent, const Vec3& place, const Vec3& normal) {
+  constexpr double kBelow = 1e-4;  // m: the place may lie a little beside the surface
+  const auto hit = dent.surface->cast(dent.surface->closest(place).point - kBelow * normal, -normal);
+  return hit ? kBelow + hit->distance : 0.0;
 }
 
 void findBack(const DentModel& dent, const SceneObject& object, TouchPatch& patch) {

@@ -13,6 +13,7 @@ struct TouchPatch {
   Vec3 middle = Vec3::Zero();                      ///< at rest
   MaterialPoint middlePoint, back;                 ///< back: where the normal at rest comes out of the part again
   bool hasBack = false;
+  int tissue = 0;                                  ///< which use of a material its middle shows
   std::array<MaterialPoint, Touch::kPoints> points;  ///< with kTouchWeights
   Vec3 e1 = Vec3::UnitX(), e2 = Vec3::UnitY();     ///< at rest, unit, across the patch
   Vec3 rest = Vec3::Zero(), now = Vec3::Zero();    ///< weighted means of the points
@@ -23,6 +24,9 @@ struct TouchPatch {
 
 /// About the point of the surface at rest nearest to `near`.
 TouchPatch makeTouchPatch(const DentModel& dent, const SceneObject& object, const Vec3& near, double radius, const VecX& q);
+
+/// Tissue below a place of the surface at rest, m; 0 where the normal into it comes out nowhere.
+double depthAt(const DentModel& dent, const Vec3& place, const Vec3& normal);
 
 /// Finds the back of a patch.
 void findBack(const DentModel& dent, const SceneObject& object, TouchPatch& patch);

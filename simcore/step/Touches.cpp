@@ -28,6 +28,8 @@ constexpr double kEven = 0.02;        ///< radii: balls that lie alike deep to w
 /// Over how many cells a force is spread and a place looked at, where the part is thick enough: what is as large as the elements
 /// hardly bends them, and bent ones answer otherwise than at rest.
 constexpr double kSpreadCells = 1.5;
+constexpr double kSpreadDepths = 0.6;  ///< no wider than this share of the tissue is deep
+constexpr double kSeenRadii = 2;       ///< radii of the ball: what is farther has no part in the normal
 constexpr int kCentrings = 6;         ///< most steps to the place under the ball
 constexpr double kCentred = 1e-6;     ///< m
 
@@ -163,17 +165,20 @@ void placeTouch(Stepper::Work& work, const State& state, const Proximity& deepes
   }
   const double force = touch.lastImpulse / work.model->scenario.dt;
 
-  const double wide = kSpreadCells * dent.cell, thickness = work.model->collisionSurfaces[softIndex]->thickness;
+  double wide = 0;
   BallAt ball;
   TouchPatch patch;
   touch.law.radii = dent.field.radii();
-  Vec3 place = restPlace(deepest.a, soft.collision.mesh->vertices), outwardsAtRest = outwards;
+  Vec3 place = restPlace(deepest.a, soft.collision.mesh->vertices);
+  DentField::Facing facing{outwards, dent.tissue[static_cast<std::size_t>(dent.surface->closest(place).triangle)]};
   for (int n = 0; n < kCentrings; ++n) {
     ball = deepestBall(balls, firstBall, lastBall, pose, outwards);
-    touch.law.give = dent.field.at(place, outwardsAtRest);
+    touch.law.give = dent.field.at(place, facing);
     touch.law.radius = ball.radius;
-    patch = makeTouchPatch(dent, soft, place, std::max(touch.law.contactRadius(force), std::min(wide, thickness)), state.q);
-    outwardsAtRest = patch.restNormal;
+    const double contact = touch.law.contactRadius(force);
+    wide = std::max(contact, std::min(kSpreadCells * dent.cell, kSpreadDepths * depthAt(dent, place, facing.normal_W)));
+    patch = makeTouchPatch(dent, soft, place, std::max(contact, std::min(wide, kSeenRadii * ball.radius)), state.q);
+    facing = {patch.restNormal, patch.tissue};
     if (touch.lastImpulse == 0) outwards = patch.slopes[0].cross(patch.slopes[1]).normalized();
     Vec3 off = ball.centre_W - placeOf(soft, patch.middlePoint, state.q);
     off -= off.dot(outwards) * outwards;
@@ -183,7 +188,7 @@ void placeTouch(Stepper::Work& work, const State& state, const Proximity& deepes
   }
 
   touch.middle = patch.middlePoint;
-  touch.points = makeTouchPatch(dent, soft, patch.middle, std::max(touch.law.contactRadius(force), wide), state.q).points;
+  touch.points = makeTouchPatch(dent, soft, patch.middle, wide, state.q).points;
   findBack(dent, soft, patch);
   const OwnAnswer own = ownAnswer(work, dent, part, patch, touch, state.q);
   touch.ownCompliance = own.mean;

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <functional>
+#include <numbers>
 
 #include "simcore/author/MakeDents.h"
 #include "simcore/embed/Cells.h"
@@ -61,7 +60,7 @@ Region regionWhere(const std::string& id, const Layer& layer, const std::functio
 /// A layer as a part whose base is a region.
 Part softLayer(const Slab& slab, const std::string& id, int number, double low, double high, double cell) {
   Part soft = scenes::boxPart(id, number, PartKind::Soft, Vec3(-0.01, -0.01, -0.01), Vec3(0.01, 0.01, 0.01));
-  const Layer visual = layerOf(slab, low, high, 0.0025);
+  const Layer visual = layerOf(slab, low, high, slab.facet);
   soft.visual = std::make_shared<const TriMesh>(visual.mesh);
   soft.collision = std::make_shared<const TriMesh>(layerOf(slab, low, high, 0.005).mesh);
   soft.volume = std::make_shared<const TetMesh>(embedInCells(*soft.visual, *soft.collision, cell).value());
@@ -113,7 +112,7 @@ std::shared_ptr<const DentTable> dentsOf(const Slab& slab, int places) {
   DentWishes wishes;
   wishes.places = places;
   wishes.part = "slab";
-  const Layer layer = layerOf(slab, slab.upper > 0 ? -slab.upper : -slab.thickness, 0, 0.0025);
+  const Layer layer = layerOf(slab, slab.upper > 0 ? -slab.upper : -slab.thickness, 0, slab.facet);
   const auto nearMiddle = [&](const Vec3& p) { return p.y() > -1e-6 && std::abs(p.x()) < 0.22 * slab.length && std::abs(p.z()) < 0.2 * slab.width; };
   if (slab.inclusion == 1) {
     // The middle of the top as a tissue of its own has its own places; those elsewhere are near sides that no stroke reaches.
@@ -127,13 +126,28 @@ std::shared_ptr<const DentTable> dentsOf(const Slab& slab, int places) {
     const TriangleTree tree(*part.visual);
     std::erase_if(table.samples, [&](const DentSample& s) { return use[static_cast<std::size_t>(tree.closest(s.at_W).triangle)] == 0; });
   }
-  if (std::getenv("SHOW"))
-    for (const DentSample& s : table.samples)
-      std::printf("%7.1f %6.1f %6.1f  E %.0f  c %.3f %.3f %.3f mm/N  k %.3f %.3f %.3f  depth %.2f\n", 1e3 * s.at_W.x(), 1e3 * s.at_W.y(), 1e3 * s.at_W.z(), s.modulus, 1e3 * s.compliance[0],
-                  1e3 * s.compliance[1], 1e3 * s.compliance[2], 540.38 / s.modulus / 1.5e-3, 540.38 / s.modulus / 3e-3, 540.38 / s.modulus / 6e-3, 1e3 * s.depthMost);
   const Joint plain = jointOf(slab, 0.01);
   table.basis = dentBasis(plain, plain.parts[0]);
   return std::make_shared<const DentTable>(table);
+}
+
+double fineForce(const Slab& slab, double radius, double depth) {
+  const Joint joint = jointOf(slab, 0.01);
+  const Part& part = joint.parts[0];
+  const double modulus = slab.inclusion * slab.young / (1 - slab.poisson * slab.poisson), pi = std::numbers::pi;
+  // The depth rises with the force: halving finds the one that is asked for.
+  double low = 0, high = 4.0 / 3 * modulus * std::sqrt(radius) * std::pow(depth, 1.5) * 2;
+  for (int n = 0; n < 6; ++n) {
+    const double force = 0.5 * (low + high), contact = std::cbrt(0.75 * force * radius / modulus);
+    const TipPatch patch = tipPatchAt(*part.visual, Vec3(0.3e-3, 0, 0.4e-3), contact);
+    GradedCells cells = fineCells(part, contact);
+    cells.finest /= 1.2;
+    const auto mesh = std::make_shared<const TetMesh>(embedGraded(part, patch, cells).value());
+    const double even = force * StaticPart::make(joint, 0, mesh, TetFilling::Whole).value().compliance(patch);
+    const double lies = even + contact * contact / radius - force * 16 / (3 * pi * pi * modulus * contact);
+    (lies < depth ? low : high) = force;
+  }
+  return 0.5 * (low + high);
 }
 
 Felt stroke(const Slab& slab, std::shared_ptr<const DentTable> dents, double cell, const Stroke& stroke) {

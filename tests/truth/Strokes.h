@@ -18,12 +18,17 @@ struct Slab {
   double turn = 0;           ///< rad: the stroke runs this far off the length
   double upper = 0;          ///< m, of the thickness: a layer of its own, glued to the rest; 0: one layer
   double inclusion = 1;      ///< times as stiff: what lies below a square of kInclusion in the middle of the top
+  double facet = 0.0025;     ///< m, of its visual surface
   Elements elements = Elements::Tetrahedra;
 };
 inline constexpr double kInclusion = 0.01;  ///< m, its side
 
 /// What its upper layer gives under a tip, at a few places near the middle: it is the same everywhere but near its sides.
 std::shared_ptr<const DentTable> dentsOf(const Slab& slab, int places = 8);
+
+/// Force of a ball that lies this deep in the middle of its top, N: by fine static solves of the whole slab under an even pressure on the
+/// contact, with Hertz' ball in place of that pressure on a half-space.
+double fineForce(const Slab& slab, double radius, double depth);
 
 /// How a tip is drawn over it: without friction, by a hand that hardly gives.
 struct Stroke {
