@@ -22,6 +22,18 @@ double cellEdge(const TetMesh& mesh) {
   return plain::cubeRoot(5 * volume / static_cast<double>(mesh.tets.size()));
 }
 
+/// Which use of a material each collision triangle shows: that of the visual triangle nearest to its middle.
+std::vector<int> tissueOf(const Part& part) {
+  const TriangleTree visual(*part.visual);
+  const std::vector<int> uses = useOfTriangles(part);
+  std::vector<int> tissue;
+  for (const auto& c : part.collision->triangles) {
+    const Vec3 middle = (part.collision->vertices[c[0]] + part.collision->vertices[c[1]] + part.collision->vertices[c[2]]) / 3;
+    tissue.push_back(uses[static_cast<std::size_t>(visual.closest(middle).triangle)]);
+  }
+  return tissue;
+}
+
 /// The surface at each sample.
 std::vector<DentField::Facing> facingsOf(const DentModel& dent, const std::vector<DentSample>& samples) {
   std::vector<DentField::Facing> facings;
@@ -42,8 +54,8 @@ std::vector<DentModel> compileDents(const Model& model) {
   for (std::size_t i = 0; i < model.joint.parts.size(); ++i) {  // parts come first, in the joint's order
     const Part& part = model.joint.parts[i];
     if (!part.dents || part.dents->basis != dentBasis(model.joint, part)) continue;
-    dents[i].surface = std::make_shared<const TriangleTree>(*part.visual);
-    dents[i].tissue = useOfTriangles(part);
+    dents[i].surface = std::make_shared<const TriangleTree>(*part.collision);
+    dents[i].tissue = tissueOf(part);
     dents[i].field = DentField(*part.dents, facingsOf(dents[i], part.dents->samples));
     any = any || !dents[i].field.empty();
   }

@@ -88,7 +88,7 @@ class StaticResponse;
 struct DentModel {
   DentField field;                                            ///< empty: it gives nothing more
   double cell = 0;                                            ///< edge of a cell of its own elements, m
-  std::shared_ptr<const TriangleTree> surface;                ///< its visual surface at rest
+  std::shared_ptr<const TriangleTree> surface;                ///< its collision surface at rest, which the search for contacts knows
   std::vector<int> tissue;                                    ///< of each of its triangles: which use of a material
   std::shared_ptr<const StaticResponse> own;                  ///< what its elements give; null: nothing, it is fixed
 };

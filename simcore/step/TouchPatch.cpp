@@ -14,9 +14,9 @@ namespace {
 constexpr double kRing = 0.7559289460184544;  // √(4/7)
 
 MaterialPoint pointOf(const SceneObject& object, int triangle, const Vec3& barycentric) {
-  const auto& corners = object.visual.mesh->triangles[static_cast<std::size_t>(triangle)];
+  const auto& corners = object.collision.mesh->triangles[static_cast<std::size_t>(triangle)];
   const std::array<double, 3> weights{barycentric[0], barycentric[1], barycentric[2]};
-  return pointAt(object.visual, false, corners, weights);
+  return pointAt(object.collision, false, corners, weights);
 }
 MaterialPoint pointOf(const SceneObject& object, const TriangleTree::Closest& closest) { return pointOf(object, closest.triangle, closest.barycentric); }
 
