@@ -206,7 +206,7 @@ TEST(JointFile, foldersAndFilesThatAreNotThere) {
   }();
   EXPECT_EQ(missing.fault, Fault::FileMissing);
   EXPECT_EQ(missing.place.file, saved.folder.path("none.joint"));
-  EXPECT_EQ(loadJoint(saved.json).error().fault, Fault::FileUnreadable);
+  EXPECT_TRUE(loadJoint(saved.json).ok()) << "joint.json stands for its folder";
   const std::string blob = saved.blob(".vtk");
   std::filesystem::remove(blob);
   EXPECT_EQ(saved.fault().fault, Fault::FileMissing);
