@@ -27,6 +27,7 @@
 #include "editor/core/AutosaveStore.h"
 #include "editor/core/PartEdits.h"
 #include "simcore/scene/JointFile.h"
+#include "editor/ui/ExportDialog.h"
 #include "tests/editor/ui/GuiTest.h"
 #include "tests/editor/ui/KilledEditor.h"
 
@@ -308,8 +309,10 @@ TEST_F(DocumentTools, exportSaysWhatIsLost) {
     QTest::keyClick(message, Qt::Key_Return);
   });
   const auto typed = typeIntoFileDialog(path);
+  const auto asked = whenOpen<ExportDialog>([](ExportDialog* dialog) { QTest::keyClick(dialog, Qt::Key_Return); });
   QTest::keyClick(window.get(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(*typed);
+  ASSERT_TRUE(until([&] { return *asked; }));
   ASSERT_TRUE(until([&] { return *box; }));
   EXPECT_TRUE(QFile::exists(path));
   EXPECT_TRUE(said.contains(QStringLiteral("Rigid parts are left out: 1."))) << said.toStdString();
