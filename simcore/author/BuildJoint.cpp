@@ -3,11 +3,10 @@
 
 #include <algorithm>
 
+#include "simcore/author/MakeCollision.h"
 #include "simcore/author/NearCouplings.h"
 #include "simcore/author/OwnFrame.h"
 #include "simcore/mesh/MeshHealth.h"
-#include "simcore/mesh/Simplify.h"
-#include "simcore/repair/Untangled.h"
 
 namespace glenoid {
 namespace {
@@ -17,12 +16,11 @@ Error inPart(Error error, const std::string& part) {
   return error;
 }
 
-/// Simplified and free of cuts through itself; where there is a frame, as a function of the shape alone.
-Result<TriMesh> simplified(const TriMesh& visual, int triangles, const std::optional<OwnFrame>& own) {
-  auto simple = simplify(own ? inOwnOrder(own->toOwn(visual)) : visual, triangles);
-  if (!simple) return simple;
-  TriMesh mesh = untangled(std::move(*simple));
-  return own ? own->toW(mesh) : mesh;
+/// makeCollision, where there is a frame as a function of the shape alone.
+Result<TriMesh> collisionIn(const std::optional<OwnFrame>& own, const TriMesh& visual, int triangles) {
+  if (!own) return makeCollision(visual, triangles);
+  const auto mesh = makeCollision(inOwnOrder(own->toOwn(visual)), triangles);
+  return mesh ? Result<TriMesh>(own->toW(*mesh)) : mesh;
 }
 
 Result<Part> surfacesOf(const PartRecipe& recipe, const std::optional<OwnFrame>& own) {
@@ -45,7 +43,7 @@ Result<Part> surfacesOf(const PartRecipe& recipe, const std::optional<OwnFrame>&
   } else if (recipe.collisionTriangles == 0) {
     part.collision = recipe.visual;
   } else {
-    auto simple = simplified(*recipe.visual, recipe.collisionTriangles, own);
+    auto simple = collisionIn(own, *recipe.visual, recipe.collisionTriangles);
     if (!simple) return inPart(simple.error(), recipe.id);
     part.collision = std::make_shared<const TriMesh>(std::move(*simple));
   }

@@ -6,10 +6,9 @@
 #include <limits>
 
 #include "simcore/author/BuildJoint.h"
+#include "simcore/author/MakeCollision.h"
 #include "simcore/author/Overlaps.h"
 #include "simcore/mesh/MeshHealth.h"
-#include "simcore/mesh/Simplify.h"
-#include "simcore/repair/Untangled.h"
 #include "simcore/spatial/Intersect.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -49,12 +48,11 @@ double rounded(double value) {
   return std::floor(value / unit * (1 + 1e-12)) * unit;
 }
 
-/// As buildJoint makes a collision surface; false where it cannot.
+/// False where it cannot be.
 bool simplifyTo(Part& part, int triangles) {
-  auto simple = simplify(*part.visual, triangles);
-  if (!simple) return false;
-  part.collision = std::make_shared<const TriMesh>(untangled(std::move(*simple)));
-  return true;
+  auto mesh = makeCollision(*part.visual, triangles);
+  if (mesh) part.collision = std::make_shared<const TriMesh>(std::move(*mesh));
+  return mesh.ok();
 }
 
 int trianglesThatDo(const Part& a, const Part& b, const std::function<bool()>& goOn) {

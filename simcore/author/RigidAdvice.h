@@ -14,7 +14,8 @@ struct RigidAdvice {
   bool operator==(const RigidAdvice&) const = default;
 };
 
-/// Tries both remedies on the two parts alone, as buildJoint would: up to sixteen times the triangles, and half of the room
+/// Tries both remedies on the two parts alone, as buildJoint would of a recipe without a start (with one it works in the joint's own
+/// frame, where the same number of triangles lies a little differently): up to sixteen times the triangles, and half of the room
 /// between the visual surfaces. Both parts need their surfaces, closed. Takes as long as simplifying them a few times; `goOn` is
 /// asked before each try and ends it when it says false: what is known by then is the answer. Deterministic.
 RigidAdvice adviseRigid(const Part& a, const Part& b, const std::function<bool()>& goOn = {});

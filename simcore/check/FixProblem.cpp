@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "simcore/author/MakeCollision.h"
 #include "simcore/author/SeparateStart.h"
 #include "simcore/check/CheckParts.h"
 #include "simcore/check/ScaleJoint.h"
@@ -14,9 +15,7 @@
 #include "simcore/file/Vtk.h"
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/MeshHealth.h"
-#include "simcore/mesh/Simplify.h"
 #include "simcore/repair/RepairStep.h"
-#include "simcore/repair/Untangled.h"
 
 namespace glenoid {
 namespace {
@@ -212,9 +211,9 @@ Result<Joint> simplifyAgain(Joint joint, const Problem& problem) {
     Part& part = joint.parts[index];
     for (const Region& region : part.regions)
       if (region.surface == SurfaceKind::Collision) return noHelp(problem);
-    auto simple = simplify(*part.visual, problem.rigid->triangles);
-    if (!simple) return simple.error();
-    part.collision = std::make_shared<const TriMesh>(untangled(std::move(*simple)));
+    auto mesh = makeCollision(*part.visual, problem.rigid->triangles);
+    if (!mesh) return mesh.error();
+    part.collision = std::make_shared<const TriMesh>(std::move(*mesh));
   }
   return joint;
 }
