@@ -45,6 +45,8 @@ Error from(zip_error_t* error, const std::string& path) {
     case ZIP_ER_READ:
     case ZIP_ER_INCONS:
     case ZIP_ER_ZLIB: return fault(Fault::FileTruncated, path, {}, words);
+    case ZIP_ER_COMPNOTSUPP:
+      return fault(Fault::SchemaMismatch, path, {"the archive is packed by a method that is not read here; pack it by deflate, as zip programs do unless told otherwise"}, "zip");
     case ZIP_ER_MEMORY: return fault(Fault::OutOfMemory, path, {"what is free"}, words);
   }
   return fault(Fault::SchemaMismatch, path, {"the archive cannot be read (" + words + ")"}, "zip");
@@ -126,7 +128,9 @@ Result<Done> readZip(const std::string& path, const ZipSink& sink, const ZipLimi
   zip_error_init(&error);
   Source source(zip_source_buffer_create(whole->data(), whole->size(), 0, &error));
   if (!source) return from(&error, path);
-  const Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, &error));
+  // Without ZIP_CHECKCONS: libarchive (bsdtar, CMake) leaves a size in local headers whose other fields wait for the end of
+  // the data, and libzip calls that inconsistent. What an entry holds is held to its size and sum when it is read.
+  const Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY, &error));
   if (!archive) return from(&error, path);
   source.release();  // the archive's by now
   const auto files = filesOf(archive.get(), path, limits);

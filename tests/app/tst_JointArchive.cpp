@@ -2,6 +2,7 @@
 // One joint in one file, by the commands.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "simcore/file/AtomicWrite.h"
@@ -81,6 +82,25 @@ TEST(JointArchive, aFolderZippedByHandIsTaken) {
   EXPECT_TRUE(fs::exists(out / "joint.json"));
 }
 
+// CMake packs and unpacks by libarchive, which shares nothing with the library that is used here.
+TEST(JointArchive, anotherProgramUnpacksItAndPacksOneThatIsTaken) {
+  const Packed packed;
+  const auto cmake = [](const fs::path& in, const std::string& arguments) {
+    return std::system(("cd " + quoted(in) + " && " + quoted(GLENOID_CMAKE) + " -E tar " + arguments).c_str());
+  };
+  const fs::path theirs = packed.folder / "theirs";
+  fs::create_directories(theirs);
+  ASSERT_EQ(cmake(theirs, "xf " + quoted(packed.archive)), 0);
+  EXPECT_EQ(readText(theirs / "joint.json"), readText(packed.joint / "joint.json"));
+  for (const auto& mesh : fs::directory_iterator(packed.joint / "meshes"))
+    EXPECT_EQ(readText(theirs / "meshes" / mesh.path().filename()), readText(mesh.path())) << mesh.path();
+  const fs::path archive = packed.folder / "theirs.jointz";
+  ASSERT_EQ(cmake(theirs, "cf " + quoted(archive) + " --format=zip joint.json meshes"), 0);
+  const auto joint = loadJoint(archive.string()), original = loadJoint(packed.joint.string());
+  ASSERT_TRUE(joint.ok() && original.ok());
+  EXPECT_EQ(jointHash(*joint), jointHash(*original));
+}
+
 TEST(JointArchive, badOnesAreRefusedInASentenceAndLeaveNothing) {
   const Packed packed;
   const auto refused = [&](const fs::path& archive, const std::string& why) {
@@ -107,6 +127,13 @@ TEST(JointArchive, badOnesAreRefusedInASentenceAndLeaveNothing) {
   const std::string whole = readText(packed.archive);
   writeText(bad, whole.substr(0, whole.size() / 2));
   refused(bad, ".");
+  // The method of the first entry, in its own header and in the archive's list: LZMA.
+  std::string otherwise = whole;
+  const std::size_t listed = otherwise.find("PK\1\2");
+  ASSERT_NE(listed, std::string::npos);
+  otherwise[8] = otherwise[listed + 10] = 14;
+  writeText(bad, otherwise);
+  refused(bad, "pack it by deflate");
 }
 
 TEST(JointArchive, nothingIsWrittenOver) {

@@ -59,6 +59,7 @@ TEST_P(JointStarters, areMadeBuiltAndHold) {
   const auto joint = loadJoint(started.joint().string());
   ASSERT_TRUE(joint.ok()) << toLogLine(joint.error());
   EXPECT_EQ(joint->parts.size(), 4u);
+  EXPECT_EQ(joint->side, JointSide::Right) << "as its name says, so that letters and cameras know it";
   for (std::size_t a = 0; a < joint->parts.size(); ++a)
     for (std::size_t b = a + 1; b < joint->parts.size(); ++b)
       if (joint->parts[a].kind == PartKind::Rigid && joint->parts[b].kind == PartKind::Rigid) {
