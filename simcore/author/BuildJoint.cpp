@@ -6,6 +6,7 @@
 #include "simcore/author/MakeCollision.h"
 #include "simcore/author/NearCouplings.h"
 #include "simcore/author/OwnFrame.h"
+#include "simcore/embed/BandShape.h"
 #include "simcore/mesh/MeshHealth.h"
 
 namespace glenoid {
@@ -50,6 +51,17 @@ Result<Part> surfacesOf(const PartRecipe& recipe, const std::optional<OwnFrame>&
   return part;
 }
 
+/// Cells that were cut in a joint's own frame. Those along a band are bent as the band is found in W, which differs by some 1e-6 of its
+/// slope from how it is found in another frame: a run finds the cells again by that (embed/WholeCells).
+TetMesh placedInW(TetMesh mesh, const OwnFrame& own, const TriMesh* bandInOwn, const TriMesh& visual_W) {
+  if (!bandInOwn) return own.toW(mesh);
+  const BandShape from = bandOf(*bandInOwn), to = bandOf(visual_W);
+  for (Vec3& node : mesh.nodes) node = from.flattened(node);
+  mesh = own.toW(mesh);
+  for (Vec3& node : mesh.nodes) node = to.bent(node);
+  return mesh;
+}
+
 Result<Done> cutVolume(const PartRecipe& recipe, const std::optional<OwnFrame>& own, Part& part) {
   if (recipe.kind == PartKind::Rigid) return Done{};
   part.elements = recipe.elements;
@@ -59,7 +71,12 @@ Result<Done> cutVolume(const PartRecipe& recipe, const std::optional<OwnFrame>& 
   const TriMesh collision = inOwn ? own->toOwn(*part.collision) : *part.collision;
   const GridAxes axes = recipe.axes.value_or(GridAxes::World);
   const auto take = [&](TetMesh mesh, double cellSize) {
-    part.volume = std::make_shared<const TetMesh>(inOwn ? own->toW(mesh) : std::move(mesh));
+    if (inOwn) {
+      // The joint holds the surface that the cells were cut of, rounded as that was.
+      part.visual = std::make_shared<const TriMesh>(own->toW(visual));
+      mesh = placedInW(std::move(mesh), *own, axes == GridAxes::Band ? &visual : nullptr, *part.visual);
+    }
+    part.volume = std::make_shared<const TetMesh>(std::move(mesh));
     part.cellSize = cellSize;
     return Done{};
   };

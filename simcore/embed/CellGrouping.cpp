@@ -11,8 +11,7 @@ namespace glenoid {
 
 namespace {
 
-/// Of an edge. What is derived in a frame of the joint's own (author/OwnFrame) comes back some 1e-8 of the joint off, which is more of a thin cell.
-constexpr double kTolerance = 1e-4;
+constexpr double kTolerance = 1e-6;  // of an edge
 
 bool orthogonal(const Mat3& m) {
   for (int k = 0; k < 3; ++k)
