@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <numeric>
+#include <optional>
 
 #include "simcore/spatial/BoxTree.h"
 #include "simcore/spatial/TrianglePoint.h"
@@ -62,14 +64,19 @@ std::vector<int> tetsOf(const TetMesh& mesh, std::span<const Vec3> points_W) {
   }
   const Vec3 margin = Vec3::Constant(1e-9 * all.diagonal().norm());
   for (Box3& box : boxes) box = Box3(box.min() - margin, box.max() + margin);
-  const BoxTree tree(boxes);
-  std::vector<int> found, near;
+  constexpr std::size_t kFew = 50;  // points: looking at every box is quicker than building a tree of them
+  std::optional<BoxTree> tree;
+  if (points_W.size() > kFew) tree.emplace(boxes);
+  std::vector<int> found, near(boxes.size());
+  std::iota(near.begin(), near.end(), 0);
   found.reserve(points_W.size());
   for (const Vec3& p : points_W) {
-    near.clear();
-    tree.walk([&](const BoxTree::Node& node) { return BoxTree::squaredDistance(node, p) == 0; },
-              [&](int t) { near.push_back(t); });
-    std::sort(near.begin(), near.end());
+    if (tree) {
+      near.clear();
+      tree->walk([&](const BoxTree::Node& node) { return BoxTree::squaredDistance(node, p) == 0; },
+                 [&](int t) { near.push_back(t); });
+      std::sort(near.begin(), near.end());
+    }
     int best = -1;
     double bestWeight = kInside;
     for (const int t : near) {
@@ -78,7 +85,11 @@ std::vector<int> tetsOf(const TetMesh& mesh, std::span<const Vec3> points_W) {
       const double least = *std::min_element(w.begin(), w.end());
       if (least > bestWeight || (best < 0 && least >= kInside)) best = t, bestWeight = least;
     }
-    found.push_back(best >= 0 ? best : nearestTet(mesh, tree, p));
+    if (best < 0) {
+      if (!tree) tree.emplace(boxes);
+      best = nearestTet(mesh, *tree, p);
+    }
+    found.push_back(best);
   }
   return found;
 }

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "simcore/embed/Cells.h"
+#include "simcore/spatial/TriangleTree.h"
 #include "tests/simcore/mesh/Shapes.h"
 
 using namespace glenoid;
@@ -42,6 +46,38 @@ TEST(Bind, nodesBindToThemselvesAndOutsidersToTheNearest) {
   EXPECT_EQ(tetsOf(mesh, points), (std::vector<int>{0, 0, 1}));
   EXPECT_EQ(bindToTets(mesh, points)[0].weight, (std::array<double, 4>{1, 0, 0, 0}));
   EXPECT_LT(bindToTets(mesh, points)[1].weight[1], 0);
+}
+
+// By looking at every tetrahedron, and outside at every face: the answer for many points, which a tree gives, and for one alone.
+TEST(Bind, manyPointsAndOneGoWhereALookAtAllSays) {
+  const TriMesh ball = shapes::sphere(0.02);
+  const TetMesh mesh = embedInCells(ball, ball, 0.007).value();
+  TriMesh faces;
+  faces.vertices = mesh.nodes;
+  for (const auto& t : mesh.tets)
+    for (const std::array<int, 3> f : {std::array{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}) faces.triangles.push_back({t[f[0]], t[f[1]], t[f[2]]});
+  const TriangleTree tree(faces);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 300; ++i) points.push_back(0.03 * Vec3(std::sin(1.3 * i), std::sin(2.1 * i + 1), std::sin(3.7 * i + 2)));
+  for (std::size_t n = 0; n < mesh.nodes.size(); n += 5) points.push_back(mesh.nodes[n]);  // on many tetrahedra at once
+  for (std::size_t t = 0; t < mesh.tets.size(); t += 7) points.push_back((mesh.nodes[mesh.tets[t][0]] + mesh.nodes[mesh.tets[t][1]]) / 2);
+  const std::vector<int> together = tetsOf(mesh, points);
+  int outside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    int expected = -1;
+    double most = -1e-12;
+    for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+      const auto w = barycentricOf(mesh, t, points[i]);
+      const double least = *std::min_element(w.begin(), w.end());
+      if (least > most || (expected < 0 && least >= -1e-12)) expected = t, most = least;
+    }
+    outside += expected < 0;
+    if (expected < 0) expected = tree.closest(points[i]).triangle / 4;
+    EXPECT_EQ(together[i], expected) << i;
+    EXPECT_EQ(tetsOf(mesh, std::span(&points[i], 1))[0], expected) << i;
+  }
+  EXPECT_GT(outside, 50);
+  EXPECT_LT(outside, static_cast<int>(points.size()) - 50);
 }
 
 TEST(Bind, rigidPointsKeepTheirArm) {
