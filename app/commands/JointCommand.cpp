@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -60,13 +60,16 @@ Result<Done> dents(const std::string& word, const std::string& out) {
   if (const auto saved = saveJoint(*joint, out); !saved) return saved.error();
   for (const DentPlaces& places : pressed) {
     const Part& part = joint->parts[places.part];
-    double least = HUGE_VAL, most = 0;
-    for (const DentSample& sample : part.dents->samples) {
-      least = std::min(least, sample.compliance);
-      most = std::max(most, sample.compliance);
+    if (part.dents) {
+      std::printf("%3d  %-24s gives", part.number, part.id.c_str());
+      for (std::size_t k = 0; k < part.dents->radii.size(); ++k) {
+        const auto [least, most] = std::ranges::minmax(part.dents->samples, {}, [k](const DentSample& s) { return s.compliance[k]; });
+        std::printf("%s %.3g to %.3g mm/N", k ? "," : "", 1e3 * least.compliance[k], 1e3 * most.compliance[k]);
+      }
+      const auto deepest = std::ranges::max(part.dents->samples, {}, &DentSample::depthMost);
+      std::printf(" under patches of %.1f, %.1f and %.1f mm; dents at most %.1f mm deep\n", 1e3 * part.dents->radii[0], 1e3 * part.dents->radii[1],
+                  1e3 * part.dents->radii[2], 1e3 * deepest.depthMost);
     }
-    std::printf("%3d  %-24s gives %.3f to %.3f mm/N more under a tip of %.1f mm than its tetrahedra\n", part.number, part.id.c_str(),
-                1e3 * least, 1e3 * most, 1e3 * part.dents->radius);
     if (places.tooThin > 0)
       std::printf("     %-24s is too thin for dents at %d of %d places: none there\n", part.id.c_str(), places.tooThin, places.count);
   }

@@ -2,12 +2,14 @@
 #include "simcore/author/MakeDents.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <thread>
 
+#include "simcore/author/CellsShown.h"
 #include "simcore/mesh/TetTools.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/TriangleUse.h"
@@ -17,11 +19,13 @@ namespace glenoid {
 
 namespace {
 
-constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue, before it is known whether more tell more
-constexpr double kElements = 4000;   ///< cells of the whole part, about
-constexpr double kDepthMost = 2.5e-3;  ///< m: the search for contacts sees no deeper than 4 mm
-constexpr double kForceAtBottom = 2;  ///< N: what gives so much more that the bottom stops it earlier resists evenly up to there
+constexpr double kSpacing = 0.016;       ///< m, of places, as far as their number allows
+constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue; then twice as many, and so on while they tell more
+constexpr double kForetold = 0.1;        ///< of a compliance: between places that differ from their neighbours by less than this more tell no more
+constexpr double kSurprises = 0.1;       ///< share of the places that may differ by more
+constexpr double kElements = 1500;   ///< cells of the whole part, about
 constexpr double kStandsFor = 0.5;     ///< of a part's volume: fine cells that hold less do not stand for it
+constexpr double kLeastShare = 0.02;     ///< of a half-space: near a rim that bends the surface behind may move more than the one that is pressed
 constexpr double kThicknessShare = 0.4;  ///< a tip past the middle of a band would come out on its other side
 
 Error inPart(Error error, const std::string& part) {
@@ -50,40 +54,48 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<doub
   return taken;
 }
 
-/// Places on one tissue: middles of the visual triangles that show one use of a material. Not vertices: those of an edge
-/// are softer than the faces, which are what a tip meets.
-std::vector<Vec3> placesOn(const Part& part, int use, int count) {
+/// Places on one tissue: middles of the visual triangles that show one use of a material and are not bonded to another part, as many as
+/// keep `kSpacing` from each other and at most `most`. Not vertices: those of an edge are softer than the faces, which are what a tip meets.
+std::vector<Vec3> placesOn(const Joint& joint, const Part& part, int use, int most) {
   std::vector<char> marked;
   for (const int own : useOfTriangles(part)) marked.push_back(own == use);
+  for (const Coupling& coupling : joint.couplings)
+    for (const Region& region : part.regions)
+      if (coupling.partA == part.id && coupling.regionA == region.id && region.surface == SurfaceKind::Visual)
+        for (const int t : trianglesOf(region)) marked[static_cast<std::size_t>(t)] = 0;
   std::vector<Vec3> middles;
   std::vector<double> areas;
-  for (const auto& c : part.visual->triangles) {
+  double whole = 0;
+  for (std::size_t t = 0; t < marked.size(); ++t) {
+    const auto& c = part.visual->triangles[t];
     const Vec3 &x = part.visual->vertices[c[0]], &y = part.visual->vertices[c[1]], &z = part.visual->vertices[c[2]];
     middles.push_back((x + y + z) / 3);
     areas.push_back(0.5 * (y - x).cross(z - x).norm());
+    if (marked[t]) whole += areas.back();
   }
-  return spread(middles, areas, marked, count);
+  const int wanted = static_cast<int>(std::ceil(whole / (kSpacing * kSpacing)));
+  return spread(middles, areas, marked, std::min(most, std::max(wanted, static_cast<int>(kFirstPlaces))));
 }
 
-/// Tissue under a place of the surface, along the normal into the part, m; 0 where none is found. Where the place is an
-/// edge the ray begins a little beside it.
-double thicknessAt(const TriangleTree& surface, const TipPatch& patch) {
+/// Where the normal into the part from a place of the surface comes out of it again. Where the place is an edge the ray begins
+/// a little beside it.
+std::optional<Vec3> backOf(const TriangleTree& surface, const TipPatch& patch) {
   const Vec3 u = patch.normal_W.unitOrthogonal(), v = patch.normal_W.cross(u);
   for (const double below : {1e-4, 1e-5, 1e-6})  // m: of a film what is deeper lies outside again
     for (int n = 0; n < 9; ++n) {
       const Vec3 beside = n == 0 ? Vec3::Zero().eval() : Vec3(std::cos(0.785 * n) * u + std::sin(0.785 * n) * v);
       const Vec3 from = patch.middle_W - below * patch.normal_W + 0.1 * patch.radius * beside;
       if (!surface.inside(from)) continue;
-      if (const auto hit = surface.cast(from, -patch.normal_W)) return below + hit->distance;
+      if (const auto hit = surface.cast(from, -patch.normal_W)) return hit->point;
     }
-  return 0;
+  return {};
 }
 
 }  // namespace
 
 GradedCells fineCells(const Part& part, double radius) {
   GradedCells cells;
-  cells.finest = radius / 2.5;
+  cells.finest = radius / 2.1;
   cells.core = 1.6 * radius;
   cells.coarsest = std::max(cells.finest, std::cbrt(enclosedVolume(*part.visual) / kElements));
   return cells;
@@ -93,20 +105,40 @@ namespace {
 
 /// A place to press, and what came of it.
 struct Spot {
-  int part;
+  int part, use;
   Vec3 at_W;
+  Vec3 normal_W = Vec3::UnitY();
   Result<DentSample> sample = Error{};
   bool tooThin = false;  ///< for the fine cells: no dent
-  /// Whether it is as soft as a dent can show.
-  bool atBottom() const { return sample && sample->compliance * kForceAtBottom >= sample->depthMost; }
 };
 
-void press(const Joint& joint, const StaticPart& coarse, double radius, Spot& spot) {
+/// E/(1 − ν²) of a material of a part, Pa.
+double modulusOf(const Joint& joint, const Part& part, int use) {
+  const Material& material = joint.materials[findMaterial(joint, part.materials[static_cast<std::size_t>(use)].material)];
+  return material.youngsModulus / (1 - material.poissonRatio * material.poissonRatio);
+}
+
+using Shares = std::array<double, DentSample::kRadii>;
+
+std::array<double, DentSample::kRadii> radiiFrom(double radius) {
+  std::array<double, DentSample::kRadii> radii;
+  for (std::size_t k = 0; k < radii.size(); ++k) radii[k] = radius * (1 << k);
+  return radii;
+}
+
+/// `shown`: of a half-space by the part's fine cells; what they do not show is added.
+void press(const Joint& joint, double radius, const Shares& shown, Spot& spot) {
   const Part& part = joint.parts[static_cast<std::size_t>(spot.part)];
-  const TipPatch patch = tipPatchAt(*part.visual, spot.at_W, radius);
-  const double thick = thicknessAt(TriangleTree(*part.visual), patch);
-  spot.sample = DentSample{patch.middle_W, 0, std::min(kDepthMost, kThicknessShare * thick)};
-  auto mesh = embedGraded(part, patch, fineCells(part, radius));
+  std::array<TipPatch, DentSample::kRadii> patches;
+  const Shares radii = radiiFrom(radius);
+  for (std::size_t k = 0; k < patches.size(); ++k) patches[k] = tipPatchAt(*part.visual, spot.at_W, radii[k]);
+  const TipPatch& least = patches.front();
+  spot.normal_W = least.normal_W;
+  const std::optional<Vec3> behind = backOf(TriangleTree(*part.visual), least);
+  const TipPatch back = behind ? tipPatchAt(*part.visual, *behind, radius) : TipPatch{};
+  const double thick = behind ? (*behind - least.middle_W).norm() : 0.0;
+  spot.sample = DentSample{least.middle_W, modulusOf(joint, part, spot.use), {}, kThicknessShare * thick};
+  auto mesh = embedGraded(part, least, fineCells(part, radius));
   if (!mesh) {
     spot.sample = inPart(mesh.error(), part.id);
     return;
@@ -120,7 +152,11 @@ void press(const Joint& joint, const StaticPart& coarse, double radius, Spot& sp
     spot.sample = inPart(fine.error(), part.id);
     return;
   }
-  spot.sample->compliance = std::max(0.0, fine->compliance(patch) - coarse.compliance(patch));
+  const std::vector<double> found = fine->compliances(patches, back);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double halfSpace = diskCompliance(spot.sample->modulus, patches[k].radius);
+    spot.sample->compliance[k] = std::max(found[k] + (1 - shown[k]) * halfSpace, kLeastShare * halfSpace);
+  }
 }
 
 /// All of them on all processors; false where it was cancelled. Every place is a problem of its own, so any number of
@@ -141,32 +177,54 @@ bool pressAll(std::vector<Spot>& spots, std::size_t first, const std::function<v
   return !cancelled;
 }
 
-/// One part's table: a bottom where none was found, and no place softer than its bottom lets it be felt.
+/// One part's table: a bottom where none was found; where it is too thin for a dent it is hard. Empty where it is so everywhere.
 DentTable tableOf(const std::vector<Spot>& spots, int part, double radius) {
+  constexpr double kHard = 1e-9;  // m/N
   DentTable table;
-  table.radius = radius;
+  table.radii = radiiFrom(radius);
   std::vector<double> depths;
+  for (const Spot& spot : spots)
+    if (spot.part == part && !spot.tooThin && spot.sample->depthMost > 0) depths.push_back(spot.sample->depthMost);
+  if (depths.empty()) return table;
+  std::sort(depths.begin(), depths.end());
   for (const Spot& spot : spots) {
     if (spot.part != part) continue;
-    table.samples.push_back(*spot.sample);
-    if (spot.sample->depthMost > 0) depths.push_back(spot.sample->depthMost);
-  }
-  std::sort(depths.begin(), depths.end());
-  for (DentSample& sample : table.samples) {
-    if (sample.depthMost == 0 && !depths.empty()) sample.depthMost = depths[depths.size() / 2];
-    sample.compliance = std::min(sample.compliance, sample.depthMost / kForceAtBottom);
+    DentSample& sample = table.samples.emplace_back(*spot.sample);
+    if (spot.tooThin) {
+      sample.compliance.fill(kHard);
+      sample.depthMost = 0;
+    } else if (sample.depthMost == 0) {
+      sample.depthMost = depths[depths.size() / 2];
+    }
   }
   return table;
+}
+
+/// Whether the places from `first` to `middle` had told what those after it said.
+bool foretold(const std::vector<Spot>& spots, std::size_t first, std::size_t middle, double radius) {
+  const DentTable known = tableOf(std::vector<Spot>(spots.begin() + static_cast<std::ptrdiff_t>(first), spots.begin() + static_cast<std::ptrdiff_t>(middle)), spots[first].part, radius);
+  if (known.samples.empty()) return false;
+  std::vector<DentField::Facing> facings;
+  for (std::size_t i = first; i < middle; ++i) facings.push_back({spots[i].normal_W, spots[i].use});
+  const DentField field(known, facings);
+  std::size_t surprises = 0;
+  for (std::size_t i = middle; i < spots.size(); ++i) {
+    const TissueGive give = field.at(spots[i].at_W, {spots[i].normal_W, spots[i].use});
+    bool right = !spots[i].tooThin;
+    for (std::size_t k = 0; k < give.compliance.size(); ++k) right = right && std::abs(std::log(give.compliance[k] / spots[i].sample->compliance[k])) < kForetold;
+    surprises += !right;
+  }
+  return static_cast<double>(surprises) <= kSurprises * static_cast<double>(spots.size() - middle);
 }
 
 }  // namespace
 
 Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes, const BuildProgress& progress) {
-  std::vector<std::optional<StaticPart>> coarse(joint.parts.size());
+  std::vector<Shares> shown(joint.parts.size());
   std::vector<Spot> spots;
   std::atomic<int> done = 0;
   const auto one = [&](Spot& spot) {
-    press(joint, *coarse[static_cast<std::size_t>(spot.part)], wishes.radius, spot);
+    press(joint, wishes.radius, shown[static_cast<std::size_t>(spot.part)], spot);
     ++done;
   };
   double all = 1;
@@ -176,34 +234,33 @@ Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     const Part& part = joint.parts[index];
     if (part.kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != part.id)) continue;
-    auto own = StaticPart::make(joint, static_cast<int>(index), part.volume, TetFilling::Partial);
-    if (!own) return inPart(own.error(), part.id);
-    coarse[index].emplace(std::move(*own));
+    const double poisson = joint.materials[static_cast<std::size_t>(findMaterial(joint, part.materials.front().material))].poissonRatio;
+    const auto shares = cellsShown(fineCells(part, wishes.radius), radiiFrom(wishes.radius), poisson);
+    if (!shares) return inPart(shares.error(), part.id);
+    shown[index] = *shares;
     for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) {
-      const std::vector<Vec3> places = placesOn(part, use, wishes.places);
+      const std::vector<Vec3> places = placesOn(joint, part, use, wishes.places);
       const std::size_t before = spots.size();
-      const auto pressTo = [&](std::size_t count) {
+      for (std::size_t count = kFirstPlaces; spots.size() - before < places.size(); count *= 2) {
         const std::size_t first = spots.size();
-        for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({static_cast<int>(index), places[n]});
-        return pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, done / all)); });
-      };
-      if (!pressTo(kFirstPlaces)) return Error{Fault::Cancelled, {}, {}, "dents"};
-      const auto soft = std::count_if(spots.begin() + static_cast<std::ptrdiff_t>(before), spots.end(), [](const Spot& s) { return s.atBottom(); });
-      if (2 * static_cast<std::size_t>(soft) > spots.size() - before) continue;  // everywhere the bottom: more places tell nothing
-      if (!pressTo(places.size())) return Error{Fault::Cancelled, {}, {}, "dents"};
+        for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({static_cast<int>(index), use, places[n]});
+        if (!pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, done / all)); }))
+          return Error{Fault::Cancelled, {}, {}, "dents"};
+        for (std::size_t n = first; n < spots.size(); ++n)
+          if (!spots[n].sample) return spots[n].sample.error();
+        if (first > before && foretold(spots, before, first, wishes.radius)) break;
+      }
     }
   }
-  for (const Spot& spot : spots)
-    if (!spot.sample) return spot.sample.error();
   std::vector<DentPlaces> pressed;
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
-    if (!coarse[index]) continue;
+    if (joint.parts[index].kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != joint.parts[index].id)) continue;
     DentPlaces& places = pressed.emplace_back(DentPlaces{static_cast<int>(index)});
     for (const Spot& spot : spots)
       if (spot.part == places.part) ++places.count, places.tooThin += spot.tooThin;
     DentTable table = tableOf(spots, static_cast<int>(index), wishes.radius);
     table.basis = dentBasis(joint, joint.parts[index]);
-    joint.parts[index].dents = std::make_shared<const DentTable>(std::move(table));
+    joint.parts[index].dents = table.samples.empty() ? nullptr : std::make_shared<const DentTable>(std::move(table));
   }
   return pressed;
 }

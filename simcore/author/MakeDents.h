@@ -5,19 +5,19 @@
 
 namespace glenoid {
 
-/// Cells fine enough for a tip of this radius on this part: six across the patch, and some thousand in the whole part.
+/// Cells fine enough for a tip of this radius on this part: four across the patch, and some thousand in the whole part.
 GradedCells fineCells(const Part& part, double radius);
 
-/// What each soft part of a joint gives under the tip of a tool beyond its own tetrahedra, into Part::dents.
-/// At places spread over a part's visual surface a fine static solve of the part alone says how far a patch of
-/// `radius` gives for each newton (StaticPart); what the same solve with the part's own tetrahedra gives is
-/// subtracted, and the bottom of a dent is the lesser of 2.5 mm and two fifths of the tissue below. A second or two a
-/// place, on all processors. Deterministic.
+/// What each soft part of a joint gives under what presses it, into Part::dents. At places spread over a part's visual
+/// surface a fine static solve of the part alone says how far patches of three radii give for each newton (StaticPart):
+/// `radius`, twice and four times that, from the tip of a probe to the pad of a finger; less what the surface behind moves, since what
+/// the part bends or moves as a whole its own elements show. The bottom of a dent is two fifths of the tissue below. A second or
+/// two a place, on all processors. Deterministic.
 /// Tissue that is so thin that the fine cells hold less than half of it has no dent: the tip bends it as a whole.
 /// Fails as StaticPart and embedGraded do, naming the part, and with Cancelled; the joint is then as it was.
 struct DentWishes {
-  double radius = 1.5e-3;  ///< m: the tip of a probe
-  int places = 96;         ///< on each tissue of each part; eight where a dent reaches its bottom anyway
+  double radius = 1.5e-3;  ///< m, of the least patch: the tip of a probe
+  int places = 96;         ///< at most, on each tissue of each part; fewer where more would tell no more
   std::string part;        ///< only this one; empty: all that are soft
 };
 /// A part that was pressed: its index, at how many places, and at how many of them it is too thin for a dent.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "simcore/base/Error.h"
@@ -37,7 +38,7 @@ TetMesh fitToSurface(const TetMesh& cells, const TriMesh& surface);
 enum class TetFilling { Partial, Whole };
 
 /// One soft part alone at rest as a linear elastic body: its materials, its couplings with their other ends fixed,
-/// no gravity, no contact. It answers statically, by conjugate gradients behind an incomplete Cholesky factor, to a residual of 1e-4:
+/// no gravity, no contact. It answers statically, by conjugate gradients behind an incomplete Cholesky factor, to a residual of 1e-3:
 /// what is asked is an energy, so its error is of second order.
 /// `mesh` stands in for the part's own tetrahedra, so the same question can be put to coarse and to fine ones.
 /// Element: the stiffness of the running simulation (fem/CorotTet) at the rotation one. Frames: W at rest.
@@ -51,6 +52,10 @@ class StaticPart {
   /// How far the patch gives along −normal for each newton on it: the mean of its displacement under its own
   /// pressure, m/N, > 0.
   double compliance(const TipPatch& patch) const;
+  /// The same for patches round one place, less what the points of `back` move along the same way: how far the part is
+  /// pressed together between the two, whatever it bends or moves as a whole. Without points as compliance(). Quicker than one by one, since what
+  /// is far away answers alike.
+  std::vector<double> compliances(std::span<const TipPatch> patches, const TipPatch& back) const;
   /// The same for a point that carries the whole force, such as a vertex of the collision surface.
   double compliance(const Vec3& point_W, const Vec3& normal_W) const;
 

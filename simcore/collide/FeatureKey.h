@@ -23,6 +23,13 @@ struct FeatureKey {
     return key << kIdBits | static_cast<std::uint64_t>(idB);
   }
 
+  /// The touch of a round tool, surface b of a pair, on what gives under it, surface a: after all features of the pair.
+  static std::uint64_t makeTouch(int pair, int id) {
+    assert(pair < kFilm && id < (1 << kIdBits));
+    return ((static_cast<std::uint64_t>(pair) << kKindBits | kTouch) << kIdBits | static_cast<std::uint64_t>(id)) << kIdBits;
+  }
+  static bool isTouch(std::uint64_t key) { return (key >> 2 * kIdBits & ((1u << kKindBits) - 1)) == kTouch; }
+
   /// The pair in a key, and the feature of a.
   static int pairOf(std::uint64_t key) { return static_cast<int>(key >> (2 * kIdBits + kKindBits)); }
   static int idA(std::uint64_t key) { return static_cast<int>(key >> kIdBits & ((std::uint64_t{1} << kIdBits) - 1)); }
@@ -39,6 +46,8 @@ struct FeatureKey {
   }
 
  private:
+  static constexpr std::uint64_t kTouch = 6;  ///< in place of a combination
+
   /// Only six of the nine combinations occur.
   static std::uint64_t combination(FeatureKind a, FeatureKind b) {
     if (a == FeatureKind::Vertex) return b == FeatureKind::Face ? 0 : (b == FeatureKind::Edge ? 3 : 5);

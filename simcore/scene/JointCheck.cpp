@@ -137,12 +137,15 @@ Result<Done> checkDents(const Part& part, const At& at) {
   if (!part.dents) return Done{};
   if (part.kind == PartKind::Rigid) return at.fail(Fault::BadReference, {"dents"});
   const DentTable& dents = *part.dents;
-  if (!(dents.radius > 0)) return at.in("radius").fail(Fault::OutOfRange, {std::to_string(dents.radius), "0", "1"});
+  for (std::size_t k = 0; k < dents.radii.size(); ++k)
+    if (const double least = k ? dents.radii[k - 1] : 0.0; !(dents.radii[k] > least))
+      return at.in("radii", k).fail(Fault::OutOfRange, {std::to_string(dents.radii[k]), std::to_string(least), "1"});
   for (std::size_t i = 0; i < dents.samples.size(); ++i) {
     const DentSample& sample = dents.samples[i];
     if (!sample.at_W.allFinite()) return at.in("samples", i).fail(Fault::NotFinite);
-    for (const double value : {sample.compliance, sample.depthMost})
-      if (!(value >= 0)) return at.in("samples", i).fail(Fault::OutOfRange, {std::to_string(value), "0", "1000"});
+    bool good = sample.modulus > 0 && sample.depthMost >= 0;
+    for (const double compliance : sample.compliance) good = good && compliance > 0;
+    if (!good) return at.in("samples", i).fail(Fault::OutOfRange, {"a modulus, compliance or depth", "0", "1e15"});
   }
   return Done{};
 }

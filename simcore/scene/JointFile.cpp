@@ -66,7 +66,7 @@ Part toPart(const JsonValue& json) {
   part.materials = vectorOf(json["materials"], toMaterialUse);
   part.regions = vectorOf(json["regions"], toRegion);
   part.landmarks = vectorOf(json["landmarks"], toLandmark);
-  if (const JsonValue* dents = json.find("dents")) part.dents = std::make_shared<const DentTable>(toDents(*dents));
+  if (const JsonValue* dents = json.find("dents"); dents && dents->find("radii")) part.dents = std::make_shared<const DentTable>(toDents(*dents));
   return part;
 }
 
@@ -418,8 +418,6 @@ std::string dentBasis(const Joint& joint, const Part& from) {
   Part part;
   part.kind = from.kind;
   part.visual = from.visual;
-  part.collision = from.collision;
-  part.volume = from.volume;
   part.materials = from.materials;
   part.regions = from.regions;
   for (Region& region : part.regions) region.name = region.kind = {};

@@ -197,10 +197,11 @@ BursaSide toSide(const JsonValue& json) {
 
 JsonValue fromDents(const DentTable& dents) {
   JsonValue json = JsonValue::object();
-  json.set("radius", dents.radius);
+  json.set("radii", listOf(std::vector<double>(dents.radii.begin(), dents.radii.end()), [](double radius) { return JsonValue(radius); }));
   json.set("samples", listOf(dents.samples, [](const DentSample& sample) {
              JsonValue row = fromVec3(sample.at_W);
-             row.append(sample.compliance);
+             row.append(sample.modulus);
+             for (const double compliance : sample.compliance) row.append(compliance);
              row.append(sample.depthMost);
              return row;
            }));
@@ -210,9 +211,12 @@ JsonValue fromDents(const DentTable& dents) {
 
 DentTable toDents(const JsonValue& json) {
   DentTable dents;
-  dents.radius = json["radius"].number();
+  for (std::size_t k = 0; k < dents.radii.size(); ++k) dents.radii[k] = json["radii"][k].number();
   dents.samples = vectorOf(json["samples"], [](const JsonValue& row) {
-    return DentSample{Vec3(row[0].number(), row[1].number(), row[2].number()), row[3].number(), row[4].number()};
+    DentSample sample{Vec3(row[0].number(), row[1].number(), row[2].number()), row[3].number()};
+    for (std::size_t k = 0; k < sample.compliance.size(); ++k) sample.compliance[k] = row[4 + k].number();
+    sample.depthMost = row[4 + sample.compliance.size()].number();
+    return sample;
   });
   dents.basis = json["basis"].text();
   return dents;

@@ -229,6 +229,7 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   }
   appendToolLinks(*model, *inside, springs);
   if (Result<Done> done = compileIslands(*model, *inside, springs, centres); !done) return done.error();
+  bindDents(*model, *inside);
   for (CouplingIslandModel& island : inside->islands)
     for (BoundPoseSpring& bound : island.poseSprings)
       if (bound.tool < 0) {

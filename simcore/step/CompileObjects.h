@@ -24,8 +24,10 @@ void compileContacts(Model& model);
 /// The joint's bursae on the collision surfaces; after compileContacts. One whose sides have nothing is left out.
 std::vector<FilmModel> compileFilms(const Model& model);
 
-/// What each object gives under a tool beyond its tetrahedra; empty where no part has such a table that still holds, or
-/// the scene no tool.
+/// What each object gives under a round tool beyond its own elements; empty where no part has such a table that still
+/// holds, or the scene no such tool.
 std::vector<DentModel> compileDents(const Model& model);
+/// The rest of it: how the objects' own elements answer, and the tools; once couplings have their springs.
+void bindDents(const Model& model, StepModel& inside);
 
 }  // namespace glenoid

@@ -25,7 +25,6 @@ void normalSpeeds(Stepper::Work& work, const ContactIsland& island) {
     StepContact& contact = work.contacts[c];
     const double required = contact.target - contact.near->normal_W.dot(contact.drift_W);
     contact.speed = (contact.chosen ? contact.compliance * contact.impulse : 0.0) - required;
-    if (contact.dent >= 0) contact.speed = dentSpeed(work, contact) - required;
   }
   for (const int index : island.couplingIslands) {
     const IslandWork& part = work.islands[index];
@@ -76,8 +75,6 @@ double momentumResidual(std::vector<IslandWork>& islands) {
 /// Whether the island's problem is better put in velocities: more rows than unknowns behind them, or very many rows.
 bool inVelocities(const Stepper::Work& work, const ContactIsland& island, int n) {
   if (work.options.profile != Profile::Direct) return false;
-  for (const int c : work.unknownContacts)
-    if (work.contacts[c].dent >= 0) return false;  // one compliance for several contacts
   int unknowns = 0;
   for (const int index : island.couplingIslands) unknowns += static_cast<int>(work.islands[index].b.size());
   return n > kRowsInImpulses || (n > kManyRows && 4 * n > unknowns) || (work.tangentialRows > 0 && n >= unknowns);
@@ -234,18 +231,8 @@ void sizeDelassus(Stepper::Work& work, int n) {
 
 void addCompliance(Stepper::Work& work) {
   for (std::size_t k = 0; k < work.unknowns.size(); ++k) {
-    const StepContact& contact = work.contacts[work.unknownContacts[k]];
     const int row = work.unknowns[k].row;
-    work.W(row, row) += contact.compliance;
-    if (contact.dent < 0) continue;
-    const DentContact& own = work.dents[contact.dent];
-    for (std::size_t l = k + 1; l < work.unknowns.size(); ++l) {
-      const int dent = work.contacts[work.unknownContacts[l]].dent;
-      if (dent < 0 || work.dents[dent].group != own.group) continue;
-      const double shared = dentCompliance(work, own, work.dents[dent]);
-      work.W(row, work.unknowns[l].row) += shared;
-      work.W(work.unknowns[l].row, row) += shared;
-    }
+    work.W(row, row) += work.contacts[work.unknownContacts[k]].compliance;
   }
 }
 

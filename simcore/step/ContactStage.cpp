@@ -22,19 +22,6 @@ double frictionAt(const SceneObject& object, const FeaturePoint& feature) {
   return friction;
 }
 
-/// Coulomb's coefficient of a contact: the geometric mean of both sides; inside a bursa the bursa's.
-double coefficientOf(const StepModel& inside, const SceneObject& a, const SceneObject& b, const StepContact& contact) {
-  const auto covered = [](const std::vector<char>& cover, const FeaturePoint& feature) {
-    return !cover.empty() && cover[feature.vertex[0]];
-  };
-  for (const FilmModel& film : inside.films) {
-    const bool over = covered(film.floor[contact.objectA], contact.near->a) && covered(film.roof[contact.objectB], contact.near->b);
-    const bool under = covered(film.roof[contact.objectA], contact.near->a) && covered(film.floor[contact.objectB], contact.near->b);
-    if (over || under) return film.friction;
-  }
-  return std::sqrt(frictionAt(a, contact.near->a) * frictionAt(b, contact.near->b));
-}
-
 /// Last step's impulse of the same features, zero for a new contact. Both lists ascend by key.
 const State::Impulse* lastImpulse(const State& state, std::uint64_t key, std::size_t& at) {
   while (at < state.impulses.size() && state.impulses[at].key < key) ++at;
@@ -43,11 +30,31 @@ const State::Impulse* lastImpulse(const State& state, std::uint64_t key, std::si
 
 }  // namespace
 
+double coefficientOf(const Stepper::Work& work, const StepContact& contact) {
+  const auto covered = [](const std::vector<char>& cover, const FeaturePoint& feature) {
+    return !cover.empty() && cover[feature.vertex[0]];
+  };
+  for (const FilmModel& film : work.inside->films) {
+    const bool over = covered(film.floor[contact.objectA], contact.near->a) && covered(film.roof[contact.objectB], contact.near->b);
+    const bool under = covered(film.roof[contact.objectA], contact.near->a) && covered(film.floor[contact.objectB], contact.near->b);
+    if (over || under) return film.friction;
+  }
+  const SceneObject &a = work.model->objects[contact.objectA], &b = work.model->objects[contact.objectB];
+  return std::sqrt(frictionAt(a, contact.near->a) * frictionAt(b, contact.near->b));
+}
+
 bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3& direction,
                       IslandRows IslandWork::* rowsOf) {
   const StepContact& contact = work.contacts[c];
   const auto append = [&](IslandRows& rows, int object, const MaterialPoint& point, const Vec3& along) {
-    rows.append(*work.inside->objects[object], point, along, state.q, work.inside->baseOfObject[object]);
+    const ContactObject& moved = *work.inside->objects[object];
+    const int base = work.inside->baseOfObject[object];
+    if (contact.touch >= 0 && object == contact.objectA) {  // the part: over its patch
+      const Touch& touch = work.touches[contact.touch];
+      for (std::size_t k = 0; k < touch.points.size(); ++k) rows.append(moved, touch.points[k], kTouchWeights[k] * along, state.q, base);
+    } else {
+      rows.append(moved, point, along, state.q, base);
+    }
   };
   bool moves = false;
   if (contact.islandA >= 0) {
@@ -74,8 +81,9 @@ void buildContacts(Stepper::Work& work, const State& state) {
   work.sides.clear();
   for (IslandWork& island : work.islands) island.rows.clear();
   std::size_t at = 0;
-  for (std::size_t c = 0; c < found.size(); ++c) {
-    const Proximity& near = found[c];
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    if (!work.touchOf.empty() && work.touchOf[f] >= 0) continue;
+    const Proximity& near = found[f];
     const CollisionPair& pair = work.finder->pairs()[near.pair];
     const SceneObject &a = work.model->objects[pair.surfaceA], &b = work.model->objects[pair.surfaceB];
     StepContact& contact = work.contacts.emplace_back();
@@ -92,12 +100,12 @@ void buildContacts(Stepper::Work& work, const State& state) {
       contact.friction_W = last->friction_W;
     }
     if (work.inside->friction) {
-      contact.coefficient = coefficientOf(*work.inside, a, b, contact);
+      contact.coefficient = coefficientOf(work, contact);
       contact.tangent_W[0] = near.normal_W.unitOrthogonal();
       contact.tangent_W[1] = near.normal_W.cross(contact.tangent_W[0]);
     }
     work.sides.push_back({contact.islandA, contact.islandB});
-    if (!appendContactRow(work, state, static_cast<int>(c), near.normal_W, &IslandWork::rows)) {
+    if (!appendContactRow(work, state, static_cast<int>(work.contacts.size()) - 1, near.normal_W, &IslandWork::rows)) {
       work.sides.back() = {-1, -1};
       contact.impulse = 0;
       contact.friction_W.setZero();
@@ -164,7 +172,7 @@ void showContacts(Stepper::Work& work) {
       for (int i = 0; i < feature.count; ++i) p += feature.weight[i] * work.positions[object][feature.vertex[i]];
       return p;
     };
-    view.point_W = 0.5 * (along(near.a, contact.objectA) + along(near.b, contact.objectB));
+    view.point_W = contact.touch >= 0 ? work.touches[contact.touch].place_W : Vec3(0.5 * (along(near.a, contact.objectA) + along(near.b, contact.objectB)));
     view.film = contact.film;
     if (view.force > 0 && !contact.film && !contact.bed) ++report.active;
     const Vec3 force = view.force * near.normal_W + view.friction_W;

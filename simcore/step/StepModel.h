@@ -6,8 +6,11 @@
 #include "simcore/body/ContactObject.h"
 #include "simcore/collide/FilmSearch.h"
 #include "simcore/coupling/SpringAssembly.h"
+#include "simcore/scene/DentTable.h"
+#include "simcore/spatial/TriangleTree.h"
 #include "simcore/step/Model.h"
 #include "simcore/tool/PoseSpring.h"
+#include "simcore/tool/ToolBalls.h"
 
 namespace glenoid {
 
@@ -79,12 +82,15 @@ struct FilmModel {
   std::vector<std::vector<char>> roof;
 };
 
-/// What a soft object gives under a tool beyond its tetrahedra.
+class StaticResponse;
+
+/// What a soft object gives under a round tool beyond its own elements.
 struct DentModel {
-  std::vector<Vec3> at_W;            ///< places on its surface at rest; empty: it gives nothing more
-  std::vector<double> logCompliance; ///< of m/N
-  std::vector<double> depthMost;     ///< m
-  double radius = 0;                 ///< m, of a tip's patch
+  DentField field;                                            ///< empty: it gives nothing more
+  double cell = 0;                                            ///< edge of a cell of its own elements, m
+  std::shared_ptr<const TriangleTree> surface;                ///< its collision surface at rest, which the search for contacts knows
+  std::vector<int> tissue;                                    ///< of each of its triangles: which use of a material
+  std::shared_ptr<const StaticResponse> own;                  ///< what its elements give; null: nothing, it is fixed
 };
 
 /// The numerical inside of a model, private to step/. Constant; threads share it.
@@ -96,6 +102,7 @@ struct StepModel {
   StepSettings settings;
   std::vector<FilmModel> films;      ///< empty where the effect is off
   std::vector<DentModel> dents;      ///< one for each object; empty where the effect is off
+  std::vector<std::vector<ToolBall>> balls;  ///< of each object that is a round tool, in its body frame; empty where no part has dents
   std::vector<DrivenObject> driven;
   std::vector<int> drivenOfObject;   ///< in `driven`; −1: not driven
   bool contact = false, friction = false;

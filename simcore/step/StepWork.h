@@ -14,9 +14,11 @@
 #include "simcore/contact/Lcp.h"
 #include "simcore/contact/VelocitySystem.h"
 #include "simcore/linear/ConjugateGradients.h"
+#include "simcore/linear/RowPanels.h"
 #include "simcore/step/Actions.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/step/Stepper.h"
+#include "simcore/step/TipLaw.h"
 
 namespace glenoid {
 
@@ -69,7 +71,7 @@ struct StepContact {
   double target = 0;                     ///< c of J v ≥ c, m/s
   Vec3 drift_W = Vec3::Zero();           ///< what prescribed motions add to the velocity of a against b, m/s
   double compliance = 0;                 ///< C of J v + C λ ≥ c, 1/kg; above zero for a film or a dent
-  int dent = -1;                         ///< its place in Work::dents; −1: the surface is as hard as its tetrahedra
+  int touch = -1;                        ///< its place in Work::touches; −1: of two features, as hard as their elements
   bool bed = false;                      ///< the bottom of a dent, beside the contact that makes it
   double speed = 0;                      ///< J v + n·drift + C λ − c, m/s
   double coefficient = 0;                ///< Coulomb's; 0 where friction is off
@@ -80,13 +82,22 @@ struct StepContact {
   int unknown = -1;                      ///< its place in Work::unknowns
 };
 
-/// A contact of a tool on a soft part that gives under it.
-struct DentContact {
-  int contact = 0, group = 0;            ///< the same group: the same tool on the same part
-  double rootCompliance = 0;             ///< √(m/N)
-  double radius = 0;                     ///< m, over which it shares its dent with others
-  Vec3 point_W = Vec3::Zero();           ///< on the part
+/// A round tool on a soft part that gives under it: one contact in place of all features that are near there, spread over
+/// the patch that it presses. Touches.cpp has the law.
+struct Touch {
+  static constexpr int kPoints = 7;
+  Proximity near;                             ///< features of the deepest contact; normal, gap and key of its own
+  std::array<MaterialPoint, kPoints> points;  ///< of the part's visual surface, over which its force is spread
+  MaterialPoint middle;                       ///< what it is about
+  Vec3 place_W = Vec3::Zero();                ///< where that is
+  MaterialPoint onTool;
+  TipLaw law;
+  double ownCompliance = 0;                   ///< of the part's own elements there at rest, m/N
+  double lastImpulse = 0;                     ///< N·s
+  Vec3 lastFriction_W = Vec3::Zero();
 };
+/// Shares of a touch's points in its force: those of Hertz' pressure, exact to the fourth moment.
+inline constexpr std::array<double, Touch::kPoints> kTouchWeights{0.3, 0.7 / 6, 0.7 / 6, 0.7 / 6, 0.7 / 6, 0.7 / 6, 0.7 / 6};
 
 /// Adds thread CPU time to a stage of the report while it lives.
 class StageClock {
@@ -142,7 +153,12 @@ struct Stepper::Work {
   // Contact.
   std::vector<StepContact> contacts;
   std::vector<std::array<int, 2>> sides;
-  std::vector<DentContact> dents;         ///< ascending by contact
+  std::vector<Touch> touches;
+  std::vector<int> touchOf;               ///< of each proximity: −1: a contact of its own
+  std::vector<int> deepestFirst;          ///< scratch of the search for them
+  IslandRows touchRows;
+  RowPanels touchPanels;
+  MatX touchResponse = MatX::Zero(5, 5);
   std::unique_ptr<ContactIslandBuilder> islandBuilder;
   std::vector<ContactUnknowns> unknowns;  ///< of the contact island at hand
   std::vector<int> unknownContacts;       ///< their contacts
@@ -188,12 +204,12 @@ bool solveUnconstrained(Stepper::Work& work, const State& state);
 void buildContacts(Stepper::Work& work, const State& state);
 /// And what feels the film of a bursa; after buildContacts.
 void buildFilmContacts(Stepper::Work& work, const State& state);
-/// Contacts of tools on soft parts that give under them; after buildContacts, before films.
-void buildDents(Stepper::Work& work, const State& state);
-/// What the force of one such contact sinks the place of another, per impulse, 1/kg.
-double dentCompliance(const Stepper::Work& work, const DentContact& a, const DentContact& b);
-/// C λ of a contact with a dent over all that share it, m/s.
-double dentSpeed(const Stepper::Work& work, const StepContact& contact);
+/// Where round tools touch what gives under them, from what the detector found; before buildContacts.
+void findTouches(Stepper::Work& work, const State& state);
+/// Their contacts; after buildContacts, before films.
+void buildTouches(Stepper::Work& work, const State& state);
+/// Coulomb's coefficient of a contact: the geometric mean of both sides; inside a bursa the bursa's.
+double coefficientOf(const Stepper::Work& work, const StepContact& contact);
 /// Dents of the report.
 void showDents(Stepper::Work& work);
 /// The row of contact c along `direction` (on a, against it on b) for one or two coupling islands; false where
@@ -206,7 +222,7 @@ void solveConstrained(Stepper::Work& work, const State& state);
 int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
 /// Room for n rows of W.
 void sizeDelassus(Stepper::Work& work, int n);
-/// C of the chosen contacts onto W: its diagonal, and what shares a dent.
+/// C of the chosen contacts onto W's diagonal.
 void addCompliance(Stepper::Work& work);
 /// Solves for λ with the n unknowns in W and d.
 LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "simcore/linear/Kernels.h"
+#include "simcore/collide/FeatureKey.h"
 #include "simcore/step/StepWork.h"
 
 namespace glenoid {
@@ -123,7 +124,8 @@ void Stepper::Work::findProximities(const State& state) {
   motionCount = 1;
   const StageClock clock(collideReport, Stage::Collide);
   lastNormals.clear();
-  for (const State::Impulse& impulse : state.impulses) lastNormals.push_back({impulse.key, impulse.normal_W});
+  for (const State::Impulse& impulse : state.impulses)
+    if (!FeatureKey::isTouch(impulse.key)) lastNormals.push_back({impulse.key, impulse.normal_W});  // a touch is of no features
   proximities = &finder->find(positionSpans, velocitySpans[0], model->scenario.contactDistance, settings.dt, lastNormals);
   const double selfMs = finder->counts().selfMs;
   collideReport.cpuMs[static_cast<int>(Stage::SelfContact)] += selfMs;
@@ -185,10 +187,16 @@ void integrate(Stepper::Work& work, State& state) {
   placeDriven(*work.model, *work.inside, work.partBegin, state.q);
   state.rotations = work.rotations;
   state.impulses.clear();
-  if (work.inside->contact)
+  if (work.inside->contact) {
     for (std::size_t c = 0; c < work.contacts.size(); ++c)
-      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0 && !contact.bed)
-        state.impulses.push_back({contact.near->key, contact.impulse, contact.friction_W, contact.near->normal_W});
+      if (const StepContact& contact = work.contacts[c]; contact.impulse > 0 && !contact.bed) {
+        // The law of a touch asks for its force, so its impulse is kept as of a whole step.
+        const double whole = contact.touch >= 0 ? work.model->scenario.dt / work.settings.dt : 1.0;
+        state.impulses.push_back({contact.near->key, whole * contact.impulse, whole * contact.friction_W, contact.near->normal_W});
+      }
+    if (!work.touches.empty())
+      std::sort(state.impulses.begin(), state.impulses.end(), [](const State::Impulse& a, const State::Impulse& b) { return a.key < b.key; });
+  }
   for (std::size_t tool = 0; tool < work.hands.size(); ++tool) setPoseAt(state.hands, 7 * static_cast<int>(tool), work.hands[tool]);
 }
 
@@ -200,8 +208,9 @@ void solveContacts(Stepper::Work& work, const State& state) {
   report.contactSolver = {};
   report.contactViews.clear();
   for (Vec3& force : report.toolForces) force.setZero();
+  findTouches(work, state);
   buildContacts(work, state);
-  buildDents(work, state);
+  buildTouches(work, state);
   buildFilmContacts(work, state);
   driftContacts(work);
   solveConstrained(work, state);

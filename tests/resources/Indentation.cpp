@@ -2,8 +2,11 @@
 #include "tests/resources/Indentation.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "simcore/author/MakeDents.h"
+#include "simcore/scene/TriangleUse.h"
+#include "simcore/spatial/TriangleTree.h"
 #include "simcore/step/Stepper.h"
 
 namespace glenoid::test {
@@ -48,13 +51,23 @@ Vec3 middleOf(const Part& part, const std::string& region) {
 
 double fineIndentation(const Joint& joint, const std::string& id, const TipPatch& patch, bool refined) {
   const int index = findPart(joint, id);
-  GradedCells cells = fineCells(joint.parts[index], patch.radius);
+  const Part& part = joint.parts[static_cast<std::size_t>(index)];
+  const int use = useOfTriangles(part)[static_cast<std::size_t>(TriangleTree(*part.visual).closest(patch.middle_W).triangle)];
+  const Material& material = joint.materials[static_cast<std::size_t>(findMaterial(joint, part.materials[static_cast<std::size_t>(use)].material))];
+  const double modulus = material.youngsModulus / (1 - material.poissonRatio * material.poissonRatio), radius = patch.radius;
+  const double hertz = std::cbrt(0.75 * kForce * radius / modulus), contact = std::min(hertz, radius);
+  // A ball that has gone in to its middle is a punch of its own radius.
+  const double ball = hertz < radius ? hertz * hertz / radius : radius + (kForce - 4.0 / 3 * modulus * radius * radius) / (2 * radius * modulus);
+  const double pressed = std::max(contact, 0.3 * radius), pi = std::numbers::pi;  // no smaller patch than the cells can show
+  const TipPatch under = tipPatchAt(*part.visual, patch.middle_W, pressed);
+  GradedCells cells = fineCells(part, pressed);
   if (refined) {
     cells.finest /= 1.4;
     cells.coarsest /= 1.4;
   }
-  auto mesh = embedGraded(joint.parts[index], patch, cells).value();
-  return kForce * StaticPart::make(joint, index, std::make_shared<const TetMesh>(std::move(mesh)), TetFilling::Whole).value().compliance(patch);
+  auto mesh = embedGraded(part, under, cells).value();
+  const double even = kForce * StaticPart::make(joint, index, std::make_shared<const TetMesh>(std::move(mesh)), TetFilling::Whole).value().compliance(under);
+  return even + ball - kForce * 16 / (3 * pi * pi * modulus * pressed);
 }
 
 Pressed pressWithTip(const Joint& whole, const std::string& id, const TipPatch& patch, Wish dent) {

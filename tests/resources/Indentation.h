@@ -17,8 +17,9 @@ struct PressedTissue {
 
 Vec3 middleOf(const Part& part, const std::string& region);
 
-/// What the part alone gives under 2 N on the patch of a tip, by fine static solves; `refined`: in cells that are finer
-/// by a factor 1.4 everywhere. m.
+/// How far a ball of the patch's radius goes into the part alone under 2 N: a fine static solve under an even pressure on its contact
+/// with radius a = ∛(3 f R / 4 E*), and what Hertz' ball goes deeper into a half-space than that pressure. `refined`: in cells that are
+/// finer by a factor 1.4 everywhere. m.
 double fineIndentation(const Joint& joint, const std::string& part, const TipPatch& patch, bool refined);
 
 /// How far the tip of a ball of the patch's radius goes from its first touch until the running simulation answers with

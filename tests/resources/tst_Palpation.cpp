@@ -54,7 +54,7 @@ TEST(Palpation, layersHoldUnderAFingerDraggedAtHalfAMetreASecond) {
       fastest = std::max(fastest, (inputs.hands[0].p_WB - last).norm() / dt);
     }
     last = inputs.hands[0].p_WB;
-    probe.look(state.q);
+    probe.look(state.q, report.dents);
   }
   const auto median = [](std::vector<double> list) {
     std::nth_element(list.begin(), list.begin() + list.size() / 2, list.end());

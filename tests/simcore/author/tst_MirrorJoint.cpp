@@ -123,8 +123,8 @@ TEST(MirrorJoint, whatWasProvedAndComputedHoldsOfTheMirrorImage) {
   EXPECT_EQ(mirroredJoint(joint).startProof->of, std::string(32, 'a'));
 
   // Dents: what stands for another set of meshes does not come to hold.
-  joint.parts[1].dents = std::make_shared<const DentTable>(DentTable{1e-3, {{Vec3(0.01, 0.02, 0.03), 1e-4, 1e-3}}, dentBasis(joint, joint.parts[1])});
-  joint.parts[2].dents = std::make_shared<const DentTable>(DentTable{1e-3, {{Vec3(0.01, 0.02, 0.03), 1e-4, 1e-3}}, "stale"});
+  joint.parts[1].dents = std::make_shared<const DentTable>(DentTable{{1e-3, 2e-3, 4e-3}, {{Vec3(0.01, 0.02, 0.03), 1e4, {1e-4, 5e-5, 2e-5}, 1e-3}}, dentBasis(joint, joint.parts[1])});
+  joint.parts[2].dents = std::make_shared<const DentTable>(DentTable{{1e-3, 2e-3, 4e-3}, {{Vec3(0.01, 0.02, 0.03), 1e4, {1e-4, 5e-5, 2e-5}, 1e-3}}, "stale"});
   const Joint dented = mirroredJoint(joint);
   EXPECT_EQ(dented.parts[1].dents->basis, dentBasis(dented, dented.parts[1]));
   EXPECT_EQ(dented.parts[1].dents->samples[0].at_W, Vec3(0.01, 0.02, -0.03));

@@ -69,7 +69,7 @@ Joint sampleJoint() {
   cuff.cellSize = 0.0075;
   cuff.elements = Elements::Cells;
   cuff.dents = std::make_shared<const DentTable>(
-      DentTable{0.0015, {{Vec3(0.01, 0.02, -0.03), 3e-4, 1e-3}, {Vec3(-0.01, 0, 0.125), 0, 2.5e-3}}, "of-something"});
+      DentTable{{0.0015, 0.003, 0.1 / 3}, {{Vec3(0.01, 0.02, -0.03), 5e4 / 3, {3e-4, 2e-4, 1e-5 / 7}, 1e-3}, {Vec3(-0.01, 0, 0.125), 1e9, {1e-4, 1e-5, 1e-9}, 0}}, "of-something"});
   cuff.regions = {{"insertion", "", "footprint", SurfaceKind::Visual, {{1, 3}}},
                   {"empty", "", "", SurfaceKind::Visual, {}}};
   joint.parts = {humerus, cuff};

@@ -179,7 +179,7 @@ TEST(Invariants, aWarmStepAllocatesNothing) {
   Joint dented = scenes::figure4Joint();
   for (Part& part : dented.parts)
     if (part.kind == PartKind::Soft)
-      part.dents = std::make_shared<const DentTable>(DentTable{1.5e-3, {{Vec3::Zero(), 1e-4, 1e-3}}, dentBasis(dented, part)});
+      part.dents = std::make_shared<const DentTable>(DentTable{{1.5e-3, 3e-3, 6e-3}, {{Vec3::Zero(), 6e4, {4e-3, 2e-3, 1e-3}, 5e-3}}, dentBasis(dented, part)});
   for (const auto& [threads, joint] : {std::pair{1, scenes::figure4Joint()}, {2, scenes::figure4Joint()}, {2, dented}}) {
     const auto model = compileModel(joint, scenes::figure5Scenario()).value();
     Stepper stepper(model, {Profile::Direct, threads});

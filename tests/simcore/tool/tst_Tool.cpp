@@ -6,6 +6,7 @@
 #include "simcore/linear/BlockCholesky.h"
 #include "simcore/tool/FingerShape.h"
 #include "simcore/tool/PoseSpring.h"
+#include "simcore/tool/ToolBalls.h"
 #include "simcore/tool/ToolShape.h"
 
 namespace glenoid {
@@ -34,6 +35,28 @@ void expectClosedAndOutward(const TriMesh& mesh) {
 TEST_P(ToolShape, isClosedAndOutward) {
   for (const int segments : {kToolCollisionSegments, kToolVisualSegments})
     expectClosedAndOutward(makeToolSurface(toolOf(GetParam()), segments));
+}
+
+TEST_P(ToolShape, ballsAreWhatTheSurfaceWraps) {
+  const Tool tool = toolOf(GetParam());
+  const std::vector<ToolBall> balls = makeToolBalls(tool);
+  if (tool.kind == ToolKind::Bar) {
+    EXPECT_TRUE(balls.empty()) << "no ball fits a square";
+    return;
+  }
+  for (std::size_t i = 0; i + 1 < balls.size(); ++i)
+    if (tool.kind != ToolKind::Ball)
+      EXPECT_LE((balls[i + 1].centre_T - balls[i].centre_T).norm(), 0.51 * std::max(balls[i].radius, balls[i + 1].radius)) << i;
+  // Every corner of the fine surface but those of the handle's end lies on the balls, and the tip on the first to meet the ground.
+  for (const Vec3& p : makeToolSurface(tool, kToolVisualSegments).vertices) {
+    if (p.z() > 0.8 * tool.length) continue;
+    double off = 1e300;
+    for (const ToolBall& ball : balls) off = std::min(off, (p - ball.centre_T).norm() - ball.radius);
+    EXPECT_LT(std::abs(off), 0.12 * tool.radius) << p.transpose();
+  }
+  double lowest = 1e300;
+  for (const ToolBall& ball : balls) lowest = std::min(lowest, ball.centre_T.z() - ball.radius);
+  EXPECT_NEAR(lowest, 0, 1e-12);
 }
 
 TEST_P(ToolShape, tipIsTheOriginAndTheShaftGoesUp) {

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A round tool on tissue that gives under it. All features of a tool that are near one place of a soft part are one contact,
+// that of the ball which the tool is there (tool/ToolBalls.h): its force f is spread over a patch x_k, w_k of the part's visual
+// surface, and the ball may lie as deep in that as
+//
+//   e(f) = Δ(f) − f nᵀJ K⁻¹ Jᵀn,      J = Σ w_k J_k
+//
+// where Δ is what the tissue gives in truth (TipLaw.h, from the part's table) and the rest what the part's own coarse elements
+// give at this very place (StaticResponse.h). In all the ball sinks by Δ(f), wherever the grid of elements lies. What they tilt
+// under the force is no slope of the tissue either: n is the patch's normal without it. e is taken along its slope at the force
+// that the ball's approach foresees, so the problem stays a complementarity problem of rows J v + C λ ≥ c.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "simcore/base/PlainMath.h"
+#include "simcore/collide/FeatureKey.h"
+#include "simcore/step/StaticResponse.h"
+#include "simcore/step/StepWork.h"
+#include "simcore/step/TouchPatch.h"
+
+namespace glenoid {
+
+namespace {
+
+constexpr double kOneTouch = 2;       ///< radii of a ball: features of one tool nearer than this are one touch
+constexpr double kEven = 0.02;        ///< radii: balls that lie alike deep to within this share a touch
+/// Over how many cells a force is spread and a place looked at, where the part is thick enough: what is as large as the elements
+/// hardly bends them, and bent ones answer otherwise than at rest.
+constexpr double kSpreadCells = 1.5;
+constexpr double kSpreadDepths = 0.6;  ///< no wider than this share of the tissue is deep
+constexpr double kSeenRadii = 2;       ///< radii of the ball: what is farther has no part in the normal
+constexpr int kCentrings = 6;         ///< most steps to the place under the ball
+constexpr double kCentred = 1e-6;     ///< m
+
+struct BallAt {
+  Vec3 centre_W = Vec3::Zero(), centre_B = Vec3::Zero();
+  double radius = 0;
+};
+
+Vec3 restPlace(const FeaturePoint& feature, const std::vector<Vec3>& vertices) {
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < feature.count; ++i)
+    p += feature.weight[static_cast<std::size_t>(i)] * vertices[static_cast<std::size_t>(feature.vertex[static_cast<std::size_t>(i)])];
+  return p;
+}
+
+/// Where a feature of a tool lies in its body.
+Vec3 inBody(const SceneObject& tool, const FeaturePoint& feature) {
+  Vec3 p = Vec3::Zero();
+  for (int i = 0; i < feature.count; ++i)
+    p += feature.weight[static_cast<std::size_t>(i)] * tool.collision.vertices[static_cast<std::size_t>(feature.vertex[static_cast<std::size_t>(i)])].r_B;
+  return p;
+}
+
+int nearestBall(const std::vector<ToolBall>& balls, const Vec3& p_B) {
+  std::size_t best = 0;
+  double least = 1e300;
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    if (const double off = (balls[i].centre_T - p_B).norm() - balls[i].radius; off < least) best = i, least = off;
+  return static_cast<int>(best);
+}
+
+/// The ball of a stretch of a tool that lies deepest against a direction; of several alike their mean, so that it moves evenly
+/// when the tool turns flat.
+BallAt deepestBall(const std::vector<ToolBall>& balls, int first, int last, const Pose& tool, const Vec3& outwards_W) {
+  const Vec3 outwards_B = tool.q_WB.conjugate() * outwards_W;
+  const auto height = [&](int i) { return outwards_B.dot(balls[static_cast<std::size_t>(i)].centre_T) - balls[static_cast<std::size_t>(i)].radius; };
+  double least = height(first), sum = 0;
+  for (int i = first; i <= last; ++i) least = std::min(least, height(i));
+  BallAt ball;
+  for (int i = first; i <= last; ++i) {
+    const ToolBall& each = balls[static_cast<std::size_t>(i)];
+    const double off = (height(i) - least) / (kEven * each.radius);
+    if (off > 30) continue;
+    const double weight = plain::exponential(-off);
+    ball.centre_B += weight * each.centre_T;
+    ball.radius += weight * each.radius;
+    sum += weight;
+  }
+  ball.centre_B /= sum;
+  ball.radius /= sum;
+  ball.centre_W = tool * ball.centre_B;
+  return ball;
+}
+
+/// The last step's force of this touch; where the tool has turned or slid along itself it goes by another of its balls.
+const State::Impulse* lastOf(const State& state, std::uint64_t key) {
+  const State::Impulse* nearest = nullptr;
+  int least = 0;
+  const auto first = std::lower_bound(state.impulses.begin(), state.impulses.end(), FeatureKey::makeTouch(FeatureKey::pairOf(key), 0),
+                                      [](const State::Impulse& impulse, std::uint64_t k) { return impulse.key < k; });
+  for (auto it = first; it != state.impulses.end() && FeatureKey::isTouch(it->key) && FeatureKey::pairOf(it->key) == FeatureKey::pairOf(key); ++it) {
+    const int off = std::abs(FeatureKey::idA(it->key) - FeatureKey::idA(key));
+    if (!nearest || off < least) nearest = &*it, least = off;
+  }
+  return nearest;
+}
+
+/// Mean velocity of the patch, W.
+Vec3 patchVelocity(const ContactObject& part, const Touch& touch, const State& state) {
+  Vec3 v = Vec3::Zero();
+  for (std::size_t k = 0; k < touch.points.size(); ++k) v += kTouchWeights[k] * part.velocity(touch.points[k], state.q, state.v);
+  return v;
+}
+
+/// How the part's own elements at rest answer one newton out of the part along a normal, spread over the points of a touch;
+/// against the surface behind.
+struct OwnAnswer {
+  double mean = 0;                     ///< displacement of these points along it, m/N
+  double patchMean = 0;                ///< of a patch's points, m/N
+  std::array<double, 2> tilts{0, 0};   ///< of the patch's slopes, 1/N
+};
+OwnAnswer ownAnswer(Stepper::Work& work, const DentModel& dent, const ContactObject& part, const TouchPatch& patch, const Touch& touch, const VecX& q) {
+  if (!dent.own) return {};
+  work.touchRows.clear();
+  std::array<int, 5> ids{};
+  int count = 0;
+  const auto row = [&](int id, std::span<const MaterialPoint> points, std::span<const double> weights) {
+    work.touchRows.begin(id);
+    for (std::size_t k = 0; k < points.size(); ++k) work.touchRows.append(part, points[k], weights[k] * patch.restNormal, q, 0);
+    if (work.touchRows.finish()) ids[static_cast<std::size_t>(count++)] = id;
+  };
+  row(0, touch.points, kTouchWeights);
+  row(1, patch.points, kTouchWeights);
+  for (std::size_t s = 0; s < 2; ++s) row(static_cast<int>(s) + 2, patch.points, patch.slopeWeights[s]);
+  const double whole = 1;
+  if (patch.hasBack) row(4, {&patch.back, 1}, {&whole, 1});
+  std::array<SparseRow, 5> rows;
+  for (int r = 0; r < count; ++r) rows[static_cast<std::size_t>(r)] = work.touchRows.row(r);
+  work.touchResponse.setZero();
+  dent.own->add({rows.data(), static_cast<std::size_t>(count)}, {ids.data(), static_cast<std::size_t>(count)}, work.touchPanels, work.touchResponse);
+  const auto answer = work.touchResponse.col(0);
+  return {answer[0] - answer[4], answer[1] - answer[4], {answer[2], answer[3]}};
+}
+
+/// The way along the surface at rest from a patch to below a place, m; none where the patch is no surface.
+std::optional<Vec3> wayBelow(const TouchPatch& patch, const Vec3& off_W) {
+  const auto& [s, t] = patch.slopes;
+  const double ss = s.squaredNorm(), st = s.dot(t), tt = t.squaredNorm(), determinant = ss * tt - st * st;
+  if (!(determinant > 0)) return {};
+  const double u = s.dot(off_W), v = t.dot(off_W);
+  return (tt * u - st * v) / determinant * patch.e1 + (ss * v - st * u) / determinant * patch.e2;
+}
+
+/// One touch: the place of the part under the ball, its patch, its law, its normal and gap.
+void placeTouch(Stepper::Work& work, const State& state, const Proximity& deepest, int firstBall, int lastBall, Touch& touch) {
+  const CollisionPair& pair = work.finder->pairs()[static_cast<std::size_t>(deepest.pair)];
+  const auto softIndex = static_cast<std::size_t>(pair.surfaceA), toolIndex = static_cast<std::size_t>(pair.surfaceB);
+  const SceneObject &soft = work.model->objects[softIndex], &tool = work.model->objects[toolIndex];
+  const ContactObject& part = *work.inside->objects[softIndex];
+  const DentModel& dent = work.inside->dents[softIndex];
+  const std::vector<ToolBall>& balls = work.inside->balls[toolIndex];
+  const Pose pose = poseAt(state.q, tool.layout.qOffset);
+
+  touch.near = deepest;
+  touch.near.key = FeatureKey::makeTouch(deepest.pair, nearestBall(balls, inBody(tool, deepest.b)));
+  touch.lastImpulse = 0;
+  touch.lastFriction_W.setZero();
+  Vec3 outwards = -deepest.normal_W;
+  if (const State::Impulse* last = lastOf(state, touch.near.key)) {
+    touch.lastImpulse = last->value;
+    touch.lastFriction_W = last->friction_W;
+    outwards = -last->normal_W;
+  }
+  const double force = touch.lastImpulse / work.model->scenario.dt;
+
+  double wide = 0;
+  BallAt ball;
+  TouchPatch patch;
+  touch.law.radii = dent.field.radii();
+  Vec3 place = restPlace(deepest.a, soft.collision.mesh->vertices);
+  DentField::Facing facing{outwards, dent.tissue[static_cast<std::size_t>(dent.surface->closest(place).triangle)]};
+  for (int n = 0; n < kCentrings; ++n) {
+    ball = deepestBall(balls, firstBall, lastBall, pose, outwards);
+    touch.law.give = dent.field.at(place, facing);
+    touch.law.radius = ball.radius;
+    const double contact = touch.law.contactRadius(force);
+    wide = std::max(contact, std::min(kSpreadCells * dent.cell, kSpreadDepths * depthAt(dent, place, facing.normal_W)));
+    patch = makeTouchPatch(dent, soft, place, std::max(contact, std::min(wide, kSeenRadii * ball.radius)), state.q);
+    facing = {patch.restNormal, patch.tissue};
+    if (touch.lastImpulse == 0) outwards = patch.slopes[0].cross(patch.slopes[1]).normalized();
+    Vec3 off = ball.centre_W - placeOf(soft, patch.middlePoint, state.q);
+    off -= off.dot(outwards) * outwards;
+    const std::optional<Vec3> way = wayBelow(patch, off);
+    if (!way || !(way->norm() > kCentred) || !(way->norm() < 4 * ball.radius) || n + 1 == kCentrings) break;
+    place = patch.middle + *way;
+  }
+
+  touch.middle = patch.middlePoint;
+  touch.points = makeTouchPatch(dent, soft, patch.middle, wide, state.q).points;
+  findBack(dent, soft, patch);
+  const OwnAnswer own = ownAnswer(work, dent, part, patch, touch, state.q);
+  touch.ownCompliance = own.mean;
+  Vec3 n = patch.slopes[0].cross(patch.slopes[1]).normalized();
+  const Vec3 untilted = (patch.slopes[0] + force * own.tilts[0] * n).cross(patch.slopes[1] + force * own.tilts[1] * n);
+  if (untilted.squaredNorm() > 0) n = untilted.normalized();
+  const double bulge = patch.restNormal.dot(patch.middle - patch.rest);  // of a curved surface over its points
+  touch.near.normal_W = -n;
+  // As if the patch had sunk by no more than the points that the force is spread over.
+  touch.near.gap = n.dot(ball.centre_W - patch.now) - bulge - ball.radius + (own.mean - own.patchMean) * force;
+  touch.place_W = patch.now + bulge * n;
+  touch.onTool = {};
+  touch.onTool.r_B = ball.centre_B + pose.q_WB.conjugate() * Vec3(-ball.radius * n);
+}
+
+/// Touches of one tool on one part: its features that the detector found, from `begin` to `end`.
+void findTouchesOf(Stepper::Work& work, const State& state, std::size_t begin, std::size_t end) {
+  const std::vector<Proximity>& found = *work.proximities;
+  const auto near = [&](int f) -> const Proximity& { return found[static_cast<std::size_t>(f)]; };
+  const auto touchOf = [&](int f) -> int& { return work.touchOf[static_cast<std::size_t>(f)]; };
+  const auto toolIndex = static_cast<std::size_t>(work.finder->pairs()[static_cast<std::size_t>(found[begin].pair)].surfaceB);
+  const SceneObject& tool = work.model->objects[toolIndex];
+  const std::vector<ToolBall>& balls = work.inside->balls[toolIndex];
+  work.deepestFirst.clear();
+  for (std::size_t f = begin; f < end; ++f) work.deepestFirst.push_back(static_cast<int>(f));
+  std::sort(work.deepestFirst.begin(), work.deepestFirst.end(),
+            [&](int a, int b) { return near(a).gap < near(b).gap || (near(a).gap == near(b).gap && a < b); });
+  for (const int start : work.deepestFirst) {
+    if (touchOf(start) >= 0) continue;
+    const Vec3 at_B = inBody(tool, near(start).b);
+    int first = nearestBall(balls, at_B), last = first;
+    const double reach = kOneTouch * balls[static_cast<std::size_t>(first)].radius;
+    for (const int f : work.deepestFirst) {
+      const Vec3 other_B = inBody(tool, near(f).b);
+      if (touchOf(f) >= 0 || (other_B - at_B).norm() > reach) continue;
+      touchOf(f) = static_cast<int>(work.touches.size());
+      const int its = nearestBall(balls, other_B);
+      first = std::min(first, its);
+      last = std::max(last, its);
+    }
+    placeTouch(work, state, near(start), first, last, work.touches.emplace_back());
+  }
+}
+
+/// The contact of a touch: what presses, and how far that may take it.
+StepContact contactOf(Stepper::Work& work, const State& state, int index) {
+  const Touch& touch = work.touches[static_cast<std::size_t>(index)];
+  const CollisionPair& pair = work.finder->pairs()[static_cast<std::size_t>(touch.near.pair)];
+  const auto softIndex = static_cast<std::size_t>(pair.surfaceA), toolIndex = static_cast<std::size_t>(pair.surfaceB);
+  const ContactObject &part = *work.inside->objects[softIndex], &body = *work.inside->objects[toolIndex];
+  const double dt = work.settings.dt, whole = work.model->scenario.dt;
+  StepContact contact;
+  contact.near = &touch.near;
+  contact.touch = index;
+  contact.objectA = pair.surfaceA;
+  contact.objectB = pair.surfaceB;
+  contact.islandA = work.inside->islandOfObject[softIndex];
+  contact.islandB = work.inside->islandOfObject[toolIndex];
+  contact.a = touch.middle;
+  contact.b = touch.onTool;
+  contact.impulse = dt / whole * touch.lastImpulse;
+  contact.friction_W = dt / whole * touch.lastFriction_W;
+  if (work.inside->friction) {
+    contact.coefficient = coefficientOf(work, contact);
+    contact.tangent_W[0] = touch.near.normal_W.unitOrthogonal();
+    contact.tangent_W[1] = touch.near.normal_W.cross(contact.tangent_W[0]);
+  }
+  // The force that the approach of this step leads to, by the law of the tissue from the one there is.
+  const TipLaw& law = touch.law;
+  const Vec3 apart = patchVelocity(part, touch, state) - body.velocity(touch.onTool, state.q, state.v);
+  const double foreseen = -(touch.near.gap + dt * touch.near.normal_W.dot(apart));
+  const double force = law.force(std::max(0.0, foreseen + touch.ownCompliance * touch.lastImpulse / whole));
+  const double lies = law.depth(force) - touch.ownCompliance * force;
+  const double gives = std::max(0.0, law.slope(force) - touch.ownCompliance);
+  const double forceMost = work.model->scenario.tools[static_cast<std::size_t>(work.model->objects[toolIndex].toolIndex)].forceMax;
+  contact.compliance = gives / (dt * dt);
+  contact.target = std::min(-(touch.near.gap + lies - gives * force) / dt, work.recoverySpeedMax + gives * forceMost / dt);
+  return contact;
+}
+
+}  // namespace
+
+void findTouches(Stepper::Work& work, const State& state) {
+  work.touches.clear();
+  work.touchOf.clear();
+  if (work.inside->dents.empty()) return;
+  const StageClock clock(work.report, Stage::Dent);
+  const std::vector<Proximity>& found = *work.proximities;
+  work.touchOf.assign(found.size(), -1);
+  const auto gives = [&](const Proximity& near) {
+    const CollisionPair& pair = work.finder->pairs()[static_cast<std::size_t>(near.pair)];
+    return !work.inside->dents[static_cast<std::size_t>(pair.surfaceA)].field.empty() && !work.inside->balls[static_cast<std::size_t>(pair.surfaceB)].empty();
+  };
+  for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
+    for (end = begin + 1; end < found.size() && found[end].pair == found[begin].pair;) ++end;
+    if (!gives(found[begin])) continue;
+    findTouchesOf(work, state, begin, end);
+  }
+}
+
+void buildTouches(Stepper::Work& work, const State& state) {
+  if (work.touches.empty()) return;
+  const StageClock clock(work.report, Stage::Dent);
+  const auto append = [&](const StepContact& one) {
+    work.contacts.push_back(one);
+    work.sides.push_back({one.islandA, one.islandB});
+    if (appendContactRow(work, state, static_cast<int>(work.contacts.size()) - 1, one.near->normal_W, &IslandWork::rows)) return;
+    work.sides.back() = {-1, -1};
+    work.contacts.back().impulse = 0;
+    work.contacts.back().friction_W.setZero();
+  };
+  for (std::size_t t = 0; t < work.touches.size(); ++t) {
+    const StepContact contact = contactOf(work, state, static_cast<int>(t));
+    append(contact);
+    // The hard bottom of the dent: the same row, so much lower. It is there at any gap, for a tip may come fast.
+    StepContact bed = contact;
+    bed.bed = true;
+    bed.impulse = 0;
+    bed.friction_W.setZero();
+    bed.compliance = 0;
+    bed.target = std::min(-(work.touches[t].near.gap + work.touches[t].law.give.depthMost) / work.settings.dt, work.recoverySpeedMax);
+    append(bed);
+  }
+}
+
+void showDents(Stepper::Work& work) {
+  work.report.dents.clear();
+  for (const StepContact& contact : work.contacts) {
+    if (contact.touch < 0 || contact.bed || !(contact.impulse > 0)) continue;
+    const Touch& touch = work.touches[static_cast<std::size_t>(contact.touch)];
+    const double force = contact.impulse / work.settings.dt;
+    const double depth = std::min(touch.law.depth(force) - touch.ownCompliance * force, touch.law.give.depthMost);
+    if (!(depth > 0)) continue;
+    const DentView view{contact.objectA, contact.objectB, touch.place_W, -touch.near.normal_W, depth, 2 * touch.law.radius};
+    std::vector<DentView>& dents = work.report.dents;
+    const auto same = std::find_if(dents.begin(), dents.end(), [&](const DentView& d) { return d.object == view.object && d.tool == view.tool; });
+    if (same == dents.end())
+      dents.push_back(view);
+    else if (depth > same->depth)
+      *same = view;
+  }
+}
+
+}  // namespace glenoid
