@@ -44,13 +44,20 @@ Result<Done> check(const std::string& word, bool json) {
   return Error{Fault::CheckFailed, {word, "", "", {}}, {"the joint has problems, listed above"}, "joint check"};
 }
 
-Result<Done> dents(const std::string& word, const std::string& out) {
+Result<Done> dents(const std::string& word, const std::string& part, const std::string& out) {
   Result<Joint> joint = openJoint(word);
   if (!joint) return joint.error();
+  DentWishes dentWishes;
+  dentWishes.part = part;
+  if (const int index = part.empty() ? -1 : findPart(*joint, part); !part.empty()) {
+    const auto unfit = [&](const char* why) { return Error{Fault::BadUsage, {word, "", "", {}}, {"--part " + part + why}, "joint dents"}; };
+    if (index < 0) return unfit(": no part of the joint has that name (glenoid joint info lists them)");
+    if (joint->parts[static_cast<std::size_t>(index)].kind != PartKind::Soft) return unfit(": that part is rigid, and only soft ones have dents");
+  }
   std::vector<DentPlaces> pressed;
   {
     ProgressLine progress("Pressing " + joint->name);
-    auto made = makeDents(*joint, {}, [&](const std::string&, double done) {
+    auto made = makeDents(*joint, dentWishes, [&](const std::string&, double done) {
       progress.show(done);
       return true;
     });
@@ -70,6 +77,9 @@ Result<Done> dents(const std::string& word, const std::string& out) {
       std::printf(" under patches of %.1f, %.1f and %.1f mm; dents at most %.1f mm deep\n", 1e3 * part.dents->radii[0], 1e3 * part.dents->radii[1],
                   1e3 * part.dents->radii[2], 1e3 * deepest.depthMost);
     }
+    if (places.coarse > 0)
+      std::printf("     %-24s was pressed at %d places, some %.0f mm apart: what changes within less is evened out there\n", part.id.c_str(), places.count,
+                  1e3 * places.coarse);
     if (places.tooThin > 0)
       std::printf("     %-24s is too thin for dents at %d of %d places: none there\n", part.id.c_str(), places.tooThin, places.count);
   }
@@ -82,7 +92,7 @@ void addJointCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("joint", "Begin a joint, build it from surfaces, look at it, check it, mirror it, pack it in one file");
   command->require_subcommand(1);
   struct Wishes {
-    std::string joint, recipe, meshes, out, kind = starterKinds().front().name;
+    std::string joint, recipe, meshes, out, part, kind = starterKinds().front().name;
     bool json = false;
   };
   auto wishes = std::make_shared<Wishes>();
@@ -105,7 +115,8 @@ void addJointCommand(CLI::App& app, int& status) {
   CLI::App* dentsCommand = command->add_subcommand("dents", "Press every soft part finely and keep how much more it gives than its tetrahedra");
   dentsCommand->add_option("JOINT", wishes->joint, "A .joint folder, a .jointz file or builtin:shoulder")->required();
   dentsCommand->add_option("--out", wishes->out, "The .joint folder or .jointz file to write; may be the same")->required();
-  dentsCommand->callback([=] { finish(dents(wishes->joint, wishes->out)); });
+  dentsCommand->add_option("--part", wishes->part, "Only this part; the tables of the others stay as they are");
+  dentsCommand->callback([=] { finish(dents(wishes->joint, wishes->part, wishes->out)); });
 
   CLI::App* mirrorCommand = command->add_subcommand("mirror", "Make the joint of the other side of the body: its mirror image in the sagittal plane, z = 0");
   mirrorCommand->add_option("JOINT", wishes->joint, "A .joint folder, builtin:shoulder, or a scenario, which is mirrored with its joint and recording")->required();

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <thread>
 
@@ -19,7 +20,7 @@ namespace glenoid {
 
 namespace {
 
-constexpr double kSpacing = 0.016;       ///< m, of places, as far as their number allows
+constexpr double kSpacing = 0.016;       ///< m, of places, as far as their number allows; what DentPlaces says
 constexpr std::size_t kFirstPlaces = 8;  ///< on a tissue; then twice as many, and so on while they tell more
 constexpr double kForetold = 0.1;        ///< of a compliance: between places that differ from their neighbours by less than this more tell no more
 constexpr double kSurprises = 0.1;       ///< share of the places that may differ by more
@@ -54,27 +55,48 @@ std::vector<Vec3> spread(const std::vector<Vec3>& points, const std::vector<doub
   return taken;
 }
 
-/// Places on one tissue: middles of the visual triangles that show one use of a material and are not bonded to another part, as many as
-/// keep `kSpacing` from each other and at most `most`. Not vertices: those of an edge are softer than the faces, which are what a tip meets.
-std::vector<Vec3> placesOn(const Joint& joint, const Part& part, int use, int most) {
-  std::vector<char> marked;
-  for (const int own : useOfTriangles(part)) marked.push_back(own == use);
+/// What of a part's surface shows one use of a material and is not bonded to another part: middles of visual triangles. Not
+/// vertices: those of an edge are softer than the faces, which are what a tip meets.
+struct OpenTissue {
+  int part, use;
+  std::vector<char> marked;      ///< of the part's triangles
+  std::vector<Vec3> middles;
+  std::vector<double> areas;     ///< m²
+  double whole = 0;              ///< area of the marked ones, m²
+  int wanted() const { return std::max(static_cast<int>(std::ceil(whole / (kSpacing * kSpacing))), static_cast<int>(kFirstPlaces)); }
+};
+
+OpenTissue openTissue(const Joint& joint, int index, int use) {
+  const Part& part = joint.parts[static_cast<std::size_t>(index)];
+  OpenTissue tissue{index, use, {}, {}, {}};
+  for (const int own : useOfTriangles(part)) tissue.marked.push_back(own == use);
   for (const Coupling& coupling : joint.couplings)
     for (const Region& region : part.regions)
       if (coupling.partA == part.id && coupling.regionA == region.id && region.surface == SurfaceKind::Visual)
-        for (const int t : trianglesOf(region)) marked[static_cast<std::size_t>(t)] = 0;
-  std::vector<Vec3> middles;
-  std::vector<double> areas;
-  double whole = 0;
-  for (std::size_t t = 0; t < marked.size(); ++t) {
+        for (const int t : trianglesOf(region)) tissue.marked[static_cast<std::size_t>(t)] = 0;
+  for (std::size_t t = 0; t < tissue.marked.size(); ++t) {
     const auto& c = part.visual->triangles[t];
     const Vec3 &x = part.visual->vertices[c[0]], &y = part.visual->vertices[c[1]], &z = part.visual->vertices[c[2]];
-    middles.push_back((x + y + z) / 3);
-    areas.push_back(0.5 * (y - x).cross(z - x).norm());
-    if (marked[t]) whole += areas.back();
+    tissue.middles.push_back((x + y + z) / 3);
+    tissue.areas.push_back(0.5 * (y - x).cross(z - x).norm());
+    if (tissue.marked[t]) tissue.whole += tissue.areas.back();
   }
-  const int wanted = static_cast<int>(std::ceil(whole / (kSpacing * kSpacing)));
-  return spread(middles, areas, marked, std::min(most, std::max(wanted, static_cast<int>(kFirstPlaces))));
+  return tissue;
+}
+
+/// How many places each tissue gets: one for each square of kSpacing, at most `each`; where that is more than `all` of them together,
+/// the same share of what is over kFirstPlaces.
+std::vector<int> shareOut(const std::vector<OpenTissue>& tissues, int each, int all) {
+  const int least = static_cast<int>(kFirstPlaces);
+  int over = 0;
+  for (const OpenTissue& tissue : tissues) over += std::min(tissue.wanted(), std::max(each, least)) - least;
+  const int left = std::max(0, all - least * static_cast<int>(tissues.size()));
+  std::vector<int> counts;
+  for (const OpenTissue& tissue : tissues) {
+    const int more = std::min(tissue.wanted(), std::max(each, least)) - least;
+    counts.push_back(std::min(each, least + (over > left ? more * left / over : more)));
+  }
+  return counts;
 }
 
 /// Where the normal into the part from a place of the surface comes out of it again. Where the place is an edge the ray begins
@@ -227,10 +249,7 @@ Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes
     press(joint, wishes.radius, shown[static_cast<std::size_t>(spot.part)], spot);
     ++done;
   };
-  double all = 1;
-  for (const Part& part : joint.parts)
-    if (part.kind == PartKind::Soft && (wishes.part.empty() || wishes.part == part.id))
-      all += static_cast<double>(part.materials.size()) * wishes.places;
+  std::vector<OpenTissue> tissues;
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     const Part& part = joint.parts[index];
     if (part.kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != part.id)) continue;
@@ -238,24 +257,34 @@ Result<std::vector<DentPlaces>> makeDents(Joint& joint, const DentWishes& wishes
     const auto shares = cellsShown(fineCells(part, wishes.radius), radiiFrom(wishes.radius), poisson);
     if (!shares) return inPart(shares.error(), part.id);
     shown[index] = *shares;
-    for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) {
-      const std::vector<Vec3> places = placesOn(joint, part, use, wishes.places);
-      const std::size_t before = spots.size();
-      for (std::size_t count = kFirstPlaces; spots.size() - before < places.size(); count *= 2) {
-        const std::size_t first = spots.size();
-        for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({static_cast<int>(index), use, places[n]});
-        if (!pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(part.id, std::min(1.0, done / all)); }))
-          return Error{Fault::Cancelled, {}, {}, "dents"};
-        for (std::size_t n = first; n < spots.size(); ++n)
-          if (!spots[n].sample) return spots[n].sample.error();
-        if (first > before && foretold(spots, before, first, wishes.radius)) break;
-      }
+    for (int use = 0; use < static_cast<int>(part.materials.size()); ++use) tissues.push_back(openTissue(joint, static_cast<int>(index), use));
+  }
+  const std::vector<int> counts = shareOut(tissues, wishes.places, wishes.jointPlaces);
+  std::vector<double> coarse(joint.parts.size(), 0);
+  const double all = std::max(1, std::accumulate(counts.begin(), counts.end(), 0));
+  for (std::size_t k = 0; k < tissues.size(); ++k) {
+    const OpenTissue& tissue = tissues[k];
+    const std::string& id = joint.parts[static_cast<std::size_t>(tissue.part)].id;
+    const std::vector<Vec3> places = spread(tissue.middles, tissue.areas, tissue.marked, counts[k]);
+    const std::size_t before = spots.size();
+    bool known = false;
+    for (std::size_t count = kFirstPlaces; spots.size() - before < places.size() && !known; count *= 2) {
+      const std::size_t first = spots.size();
+      for (std::size_t n = first - before; n < std::min(count, places.size()); ++n) spots.push_back({tissue.part, tissue.use, places[n]});
+      if (!pressAll(spots, first, one, [&](const Spot&) { return !progress || progress(id, std::min(1.0, done / all)); }))
+        return Error{Fault::Cancelled, {}, {}, "dents"};
+      for (std::size_t n = first; n < spots.size(); ++n)
+        if (!spots[n].sample) return spots[n].sample.error();
+      known = first > before && foretold(spots, before, first, wishes.radius);
     }
+    double& apart = coarse[static_cast<std::size_t>(tissue.part)];
+    if (!known && counts[k] < tissue.wanted()) apart = std::max(apart, std::sqrt(tissue.whole / counts[k]));
   }
   std::vector<DentPlaces> pressed;
   for (std::size_t index = 0; index < joint.parts.size(); ++index) {
     if (joint.parts[index].kind != PartKind::Soft || (!wishes.part.empty() && wishes.part != joint.parts[index].id)) continue;
     DentPlaces& places = pressed.emplace_back(DentPlaces{static_cast<int>(index)});
+    places.coarse = coarse[index];
     for (const Spot& spot : spots)
       if (spot.part == places.part) ++places.count, places.tooThin += spot.tooThin;
     DentTable table = tableOf(spots, static_cast<int>(index), wishes.radius);

@@ -30,8 +30,10 @@ constexpr double kEven = 0.02;        ///< radii: balls that lie alike deep to w
 constexpr double kSpreadCells = 1.5;
 constexpr double kSpreadDepths = 0.6;  ///< no wider than this share of the tissue is deep
 constexpr double kSeenRadii = 2;       ///< radii of the ball: what is farther has no part in the normal
-constexpr int kCentrings = 6;         ///< most steps to the place under the ball
+constexpr int kCentrings = 12;        ///< most steps to the place under the ball
 constexpr double kCentred = 1e-6;     ///< m
+constexpr double kLeastShare = 0.1;   ///< of the way below the ball, in one such step
+constexpr double kEvenTilt = 1e-3;    ///< what own elements tilt less than this moves the place by no more than a thousandth of the ball
 
 struct BallAt {
   Vec3 centre_W = Vec3::Zero(), centre_B = Vec3::Zero();
@@ -143,6 +145,52 @@ std::optional<Vec3> wayBelow(const TouchPatch& patch, const Vec3& off_W) {
   return (tt * u - st * v) / determinant * patch.e1 + (ss * v - st * u) / determinant * patch.e2;
 }
 
+/// What the search for the place under a ball stands on, and where it has come to.
+struct Search {
+  const DentModel& dent;
+  const SceneObject& soft;
+  const std::vector<ToolBall>& balls;
+  int firstBall, lastBall;
+  Pose tool;
+  const VecX& q;
+  double force;  ///< of the last step, N
+
+  Vec3 place;                ///< at rest
+  DentField::Facing facing;  ///< there
+  Vec3 outwards;             ///< unit, W: the patch's normal now, without what its own elements tilt
+  BallAt ball;
+  TouchPatch patch;
+  double wide = 0;           ///< radius that the force is spread over, m
+};
+
+/// Goes to the place nearest to the ball's centre: below it along the surface's own normal there. On a surface of curvature 1/R
+/// and with the centre at a height h above it, a whole step to the foot of the centre goes 1 + h/R times too far, past the place
+/// and, where h > R, ever farther: a rim as sharp as the tip. How far to go is told by what the last step changed (Aitken).
+/// `tilt` is what has to be added to the patch's normal.
+void goBelow(Search& search, const Vec3& tilt, TipLaw& law) {
+  Vec3 before = Vec3::Zero();
+  double share = 1;
+  for (int n = 0; n < kCentrings; ++n) {
+    search.ball = deepestBall(search.balls, search.firstBall, search.lastBall, search.tool, search.outwards);
+    law.give = search.dent.field.at(search.place, search.facing);
+    law.radius = search.ball.radius;
+    const double contact = law.contactRadius(search.force);
+    search.wide = std::max(contact, std::min(kSpreadCells * search.dent.cell, kSpreadDepths * depthAt(search.dent, search.place, search.facing.normal_W)));
+    const double seen = std::max(contact, std::min(search.wide, kSeenRadii * search.ball.radius));
+    search.patch = makeTouchPatch(search.dent, search.soft, search.place, seen, search.q);
+    search.facing = {search.patch.restNormal, search.patch.tissue};
+    search.outwards = (search.patch.slopes[0].cross(search.patch.slopes[1]).normalized() + tilt).normalized();
+    Vec3 off = search.ball.centre_W - placeOf(search.soft, search.patch.middlePoint, search.q);
+    off -= off.dot(search.outwards) * search.outwards;
+    const std::optional<Vec3> way = wayBelow(search.patch, off);
+    if (!way || !(way->norm() > kCentred) || !(way->norm() < 4 * search.ball.radius) || n + 1 == kCentrings) return;
+    if (const Vec3 change = *way - before; n > 0 && change.squaredNorm() > 0)
+      share = std::clamp(-share * before.dot(change) / change.squaredNorm(), kLeastShare, 1.0);
+    before = *way;
+    search.place = search.patch.middle + share * *way;
+  }
+}
+
 /// One touch: the place of the part under the ball, its patch, its law, its normal and gap.
 void placeTouch(Stepper::Work& work, const State& state, const Proximity& deepest, int firstBall, int lastBall, Touch& touch) {
   const CollisionPair& pair = work.finder->pairs()[static_cast<std::size_t>(deepest.pair)];
@@ -164,37 +212,27 @@ void placeTouch(Stepper::Work& work, const State& state, const Proximity& deepes
     outwards = -last->normal_W;
   }
   const double force = touch.lastImpulse / work.model->scenario.dt;
-
-  double wide = 0;
-  BallAt ball;
-  TouchPatch patch;
   touch.law.radii = dent.field.radii();
-  Vec3 place = restPlace(deepest.a, soft.collision.mesh->vertices);
-  DentField::Facing facing{outwards, dent.tissue[static_cast<std::size_t>(dent.surface->closest(place).triangle)]};
-  for (int n = 0; n < kCentrings; ++n) {
-    ball = deepestBall(balls, firstBall, lastBall, pose, outwards);
-    touch.law.give = dent.field.at(place, facing);
-    touch.law.radius = ball.radius;
-    const double contact = touch.law.contactRadius(force);
-    wide = std::max(contact, std::min(kSpreadCells * dent.cell, kSpreadDepths * depthAt(dent, place, facing.normal_W)));
-    patch = makeTouchPatch(dent, soft, place, std::max(contact, std::min(wide, kSeenRadii * ball.radius)), state.q);
-    facing = {patch.restNormal, patch.tissue};
-    if (touch.lastImpulse == 0) outwards = patch.slopes[0].cross(patch.slopes[1]).normalized();
-    Vec3 off = ball.centre_W - placeOf(soft, patch.middlePoint, state.q);
-    off -= off.dot(outwards) * outwards;
-    const std::optional<Vec3> way = wayBelow(patch, off);
-    if (!way || !(way->norm() > kCentred) || !(way->norm() < 4 * ball.radius) || n + 1 == kCentrings) break;
-    place = patch.middle + *way;
+  const Vec3 place = restPlace(deepest.a, soft.collision.mesh->vertices);
+  Search search{dent, soft, balls, firstBall, lastBall, pose, state.q, force, place, {outwards, dent.tissue[static_cast<std::size_t>(dent.surface->closest(place).triangle)]}, outwards, {}, {}};
+  TouchPatch& patch = search.patch;
+  OwnAnswer own;
+  Vec3 n = outwards, tilt = Vec3::Zero();
+  for (int pass = 0; pass < 2; ++pass) {  // once to know what its elements tilt there, and once with that
+    goBelow(search, tilt, touch.law);
+    touch.points = makeTouchPatch(dent, soft, patch.middle, search.wide, state.q).points;
+    findBack(dent, soft, patch);
+    own = ownAnswer(work, dent, part, patch, touch, state.q);
+    const Vec3 tilted = patch.slopes[0].cross(patch.slopes[1]).normalized();
+    n = tilted;
+    const Vec3 untilted = (patch.slopes[0] + force * own.tilts[0] * n).cross(patch.slopes[1] + force * own.tilts[1] * n);
+    if (untilted.squaredNorm() > 0) n = untilted.normalized();
+    tilt = n - tilted;
+    if (tilt.norm() < kEvenTilt) break;
   }
-
+  const BallAt& ball = search.ball;
   touch.middle = patch.middlePoint;
-  touch.points = makeTouchPatch(dent, soft, patch.middle, wide, state.q).points;
-  findBack(dent, soft, patch);
-  const OwnAnswer own = ownAnswer(work, dent, part, patch, touch, state.q);
   touch.ownCompliance = own.mean;
-  Vec3 n = patch.slopes[0].cross(patch.slopes[1]).normalized();
-  const Vec3 untilted = (patch.slopes[0] + force * own.tilts[0] * n).cross(patch.slopes[1] + force * own.tilts[1] * n);
-  if (untilted.squaredNorm() > 0) n = untilted.normalized();
   const double bulge = patch.restNormal.dot(patch.middle - patch.rest);  // of a curved surface over its points
   touch.near.normal_W = -n;
   // As if the patch had sunk by no more than the points that the force is spread over.

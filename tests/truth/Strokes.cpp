@@ -62,7 +62,7 @@ Part softLayer(const Slab& slab, const std::string& id, int number, double low, 
   Part soft = scenes::boxPart(id, number, PartKind::Soft, Vec3(-0.01, -0.01, -0.01), Vec3(0.01, 0.01, 0.01));
   const Layer visual = layerOf(slab, low, high, slab.facet);
   soft.visual = std::make_shared<const TriMesh>(visual.mesh);
-  soft.collision = std::make_shared<const TriMesh>(layerOf(slab, low, high, 0.005).mesh);
+  soft.collision = std::make_shared<const TriMesh>(layerOf(slab, low, high, slab.collisionFacet).mesh);
   soft.volume = std::make_shared<const TetMesh>(embedInCells(*soft.visual, *soft.collision, cell).value());
   soft.cellSize = cell;
   soft.elements = slab.elements;

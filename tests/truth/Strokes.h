@@ -19,6 +19,7 @@ struct Slab {
   double upper = 0;          ///< m, of the thickness: a layer of its own, glued to the rest; 0: one layer
   double inclusion = 1;      ///< times as stiff: what lies below a square of kInclusion in the middle of the top
   double facet = 0.0025;     ///< m, of its visual surface
+  double collisionFacet = 0.005;  ///< m, of its collision surface
   Elements elements = Elements::Tetrahedra;
 };
 inline constexpr double kInclusion = 0.01;  ///< m, its side
