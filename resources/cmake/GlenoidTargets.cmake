@@ -74,10 +74,10 @@ set(GLENOID_SANITIZED_FILTER "-Hertz.*:Energy.neverGrowsInAnImpactOfAnyTissueUpT
 list(JOIN GLENOID_SANITIZED_FILTER ":" GLENOID_SANITIZED_FILTER)
 
 # Programs that run at length, on larger scenes or by the clock, what others check once: continuous integration builds and
-# runs them without a sanitizer. By hand: cmake --build --preset asan --target simcore_tests && ctest --preset asan -L simcore
+# runs them without a sanitizer; and what takes a minute to compile there of code that the steps' own tests go through. By hand: cmake --build --preset asan --target simcore_tests && ctest --preset asan -L simcore
 set(GLENOID_NOT_SANITIZED tst_study tst_peer_scene tst_peer_study
   tst_step_sliding tst_step_friction tst_collide_cost tst_linear_allocation tst_live_bits tst_live_carry tst_export tst_large_surface
-  tst_difficult_meshes tst_static_part)  # the last is what the thread sanitizer is for
+  tst_difficult_meshes tst_body tst_coupling tst_static_part)  # the last is what the thread sanitizer is for
 
 # glenoid_test(NAME LABEL unit|numerics|render|long [THREADS] SOURCES ... LINKS ...): one GoogleTest program of one folder.
 # Those below tests/simcore and tests/hard also get the label simcore, most of them the label sanitized, and with THREADS

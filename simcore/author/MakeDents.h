@@ -18,8 +18,8 @@ GradedCells fineCells(const Part& part, double radius);
 struct DentWishes {
   double radius = 1.5e-3;  ///< m, of the least patch: the tip of a probe
   int places = 96;         ///< at most, on each tissue of each part; fewer where more would tell no more
-  int jointPlaces = 160;   ///< at most, on all of them; where their area asks for more, each gets its share of these, but no less than eight
   std::string part;        ///< only this one; empty: all that are soft
+  int jointPlaces = 160;   ///< at most, on all of them; where their area asks for more, each gets its share of these, but no less than eight
 };
 /// A part that was pressed: its index, at how many places, and at how many of them it is too thin for a dent; and how far apart
 /// the places would lie, m, where the limits leave fewer than one in each 16 mm of its surface and the last ones still told more; else 0.
