@@ -24,12 +24,15 @@ struct Pressed {
   State state;
   Inputs inputs;
 
-  explicit Pressed(double depth, double contactDistance = 0, Profile profile = Profile::Direct) {
+  explicit Pressed(double depth, bool flat = false, Profile profile = Profile::Direct) {
     Scenario scenario = scenes::blockOnPlateScenario();
     scenario.effects.friction = Wish::Off;
-    if (contactDistance > 0) scenario.contactDistance = contactDistance;
+    if (flat) {  // with its whole face on a fine grid
+      scenario.tools[0].kind = ToolKind::Bar;
+      scenario.tools[0].radius = 0.015;
+    }
     Joint joint = scenes::blockOnPlateJoint();
-    if (contactDistance > 0)  // a finer grid, of which more is near
+    if (flat)
       joint.parts[1].collision = std::make_shared<const TriMesh>(scenes::boxSurface(Vec3(-0.02, 0.0005, -0.02), Vec3(0.02, 0.0405, 0.02), 12));
     model = compiled(joint, scenario);
     options.profile = profile;
@@ -62,7 +65,7 @@ struct Pressed {
 // gave C Δf. Not a number of that is the publisher's own: Δx and Δf are the steps'.
 TEST(LocalPublisher, theFarSideGivesInAStepWhatItSays) {
   for (const Profile profile : {Profile::Direct, Profile::Reference}) {
-    const Pressed pressed(0.003, 0, profile);
+    const Pressed pressed(0.003, false, profile);
     const LocalProblem a = pressed.stepWith(Vec3::Zero()), b = pressed.stepWith(Vec3(0, -2e-5, 0));
     ASSERT_TRUE(a.valid && b.valid);
     ASSERT_EQ(a.rowCount, b.rowCount);
@@ -125,7 +128,7 @@ TEST(LocalPublisher, forcesAreThoseThatTheStepReports) {
 }
 
 TEST(LocalPublisher, rowsBeyondTheRoomAreCountedAndTheLoadedOnesKept) {
-  const Pressed few(0.003), many(0.003, 0.01);
+  const Pressed few(0.003), many(0.003, true);
   EXPECT_EQ(few.stepWith(Vec3::Zero()).overflow, 0);
   StepReport report;
   const LocalProblem problem = many.stepWith(Vec3::Zero(), &report);
@@ -144,7 +147,7 @@ TEST(LocalPublisher, rowsBeyondTheRoomAreCountedAndTheLoadedOnesKept) {
 }
 
 TEST(LocalPublisher, theProfilePaperPublishesNothing) {
-  Pressed pressed(0.003, 0, Profile::Paper);
+  Pressed pressed(0.003, false, Profile::Paper);
   EXPECT_FALSE(pressed.stepWith(Vec3::Zero()).valid);
 }
 
