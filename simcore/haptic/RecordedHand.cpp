@@ -15,6 +15,7 @@ bool RecordedHand::read(std::int64_t now, ToolInput& input) noexcept {
   m_time = 1e-9 * static_cast<double>(m_last - m_start) + m_lead - m_waited;
   input.pose = m_track.keys.empty() ? m_home : handAt(m_track, m_time);
   input.stamp = now;
+  if (m_logged < m_log.size()) m_log[m_logged++] = m_time;
   return true;
 }
 

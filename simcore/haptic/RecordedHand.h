@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <atomic>
+#include <span>
 
 #include "simcore/haptic/HapticDevice.h"
 #include "simcore/scene/Recording.h"
@@ -18,6 +19,8 @@ class RecordedHand : public HapticDevice {
 
   /// Any thread: s that the run has given up since it began.
   void setBehind(double seconds) { m_behind.store(seconds, std::memory_order_relaxed); }
+  /// Before the thread begins: where the track's time at each read goes while there is room.
+  void setLog(std::span<double> times) { m_log = times; }
   /// Haptic thread, or once that is gone: time of the track at the last read.
   double trackTime() const { return m_time; }
 
@@ -30,6 +33,8 @@ class RecordedHand : public HapticDevice {
   std::int64_t m_start, m_last;
   double m_lead, m_waited = 0, m_time = 0;
   std::atomic<double> m_behind{0};
+  std::span<double> m_log;
+  std::size_t m_logged = 0;
 };
 
 }  // namespace glenoid
