@@ -20,7 +20,7 @@
 namespace glenoid {
 namespace {
 
-struct Wishes {
+struct HapticsWishes {
   double minutes = 0.5, seconds = 10;
   std::string device = kReferenceDevice, csv;
   bool json = false;
@@ -28,7 +28,7 @@ struct Wishes {
 
 const std::vector<double> kDelays{0, 0.001, 0.002, 0.005};  // s
 
-std::string titleOf(const std::string& id) {
+std::string hapticTitleOf(const std::string& id) {
   if (id == "haptic-contact") return "Contact: a virtual hand on soft tissue, cartilage and bone, in a time of its own";
   if (id == "haptic-z-width") return "Z-width: the stiffest wall that does not swing up, that is passive, and that is chosen";
   return "Clock: a haptic thread beside a simulation in real time";
@@ -39,7 +39,7 @@ bool allKept(const StudyTable& table) {
   return std::all_of(table.rows.begin(), table.rows.end(), [](const std::vector<StudyCell>& row) { return std::get<bool>(row.back()); });
 }
 
-Result<Done> bench(const Wishes& wishes) {
+Result<Done> benchHaptics(const HapticsWishes& wishes) {
   const auto device = deviceNamed(wishes.device);
   if (!device) return device.error();
   if (!wishes.csv.empty())
@@ -48,7 +48,7 @@ Result<Done> bench(const Wishes& wishes) {
   if (!wishes.json) std::printf("Build %s on %s, kernels %s.\n", buildId(), processorName().c_str(), kernelIsa(false));
   std::vector<StudyTable> tables;
   const auto show = [&](StudyTable table) {
-    if (!wishes.json) std::printf("\n%s", tableText(table, titleOf(table.id)).c_str());
+    if (!wishes.json) std::printf("\n%s", tableText(table, hapticTitleOf(table.id)).c_str());
     std::fflush(stdout);
     tables.push_back(std::move(table));
   };
@@ -92,7 +92,7 @@ Result<Done> bench(const Wishes& wishes) {
 }  // namespace
 
 void addBenchHaptics(CLI::App& bench_, int& status) {
-  auto wishes = std::make_shared<Wishes>();
+  auto wishes = std::make_shared<HapticsWishes>();
   CLI::App* command = bench_.add_subcommand("haptics", "How haptics keeps its clock and its promises; status 1 where it does not");
   command->add_option("--minutes", wishes->minutes, "How long the clock is watched, idle and then under load; 0: not at all")->check(CLI::Range(0.0, 600.0));
   command->add_option("--seconds", wishes->seconds, "Of each contact of the virtual hand")->check(CLI::Range(2.5, 600.0));
@@ -100,7 +100,7 @@ void addBenchHaptics(CLI::App& bench_, int& status) {
   command->add_option("--csv", wishes->csv, "Write the Z-width table: stable and passive stiffness against damping, at each delay");
   command->add_flag("--json", wishes->json, "Print the tables as JSON");
   command->callback([wishes, &status] {
-    const Result<Done> done = bench(*wishes);
+    const Result<Done> done = benchHaptics(*wishes);
     status = done ? kDone : complain(done.error());
   });
 }

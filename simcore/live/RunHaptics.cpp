@@ -151,8 +151,8 @@ void RunHaptics::compare(double seconds, const std::function<bool(double)>& prog
       if (k < 0 || k + 1 > ticks) continue;
       const double share = at - static_cast<double>(k);
       const Vec3 force = (1 - share) * exact[h][static_cast<std::size_t>(k)] + share * exact[h][static_cast<std::size_t>(k) + 1];
-      if (force.isZero(0) && hand.log[i].wanted.isZero(0)) continue;
-      error += (hand.log[i].wanted - force).squaredNorm();
+      if (force.isZero(0) && hand.log[i].shown.isZero(0)) continue;
+      error += (hand.log[i].shown - force).squaredNorm();
       scale += force.squaredNorm();
       ++count;
     }

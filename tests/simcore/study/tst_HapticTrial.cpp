@@ -2,6 +2,9 @@
 // The whole chain in a time of its own: hand, device, loop, published problems, simulation. What haptics is held to.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "simcore/step/Stepper.h"
 #include "simcore/study/HapticBench.h"
 
 namespace glenoid {
@@ -54,6 +57,30 @@ TEST(HapticTrial, feelsWhatTheExactStepFeelsOnTheSamePath) {
     const HapticTrialResult result = run(trial);
     EXPECT_LE(result.forceError, std::max(bars.forceError, bars.forceErrorShare * result.forceRms)) << hapticSurfaceName(surface);
     if (surface == HapticSurface::Bone) EXPECT_LT(result.forceErrorShare, 1e-6) << "nothing there gives: the loop is the exact step";
+  }
+}
+
+// Against figures that no haptic code made: a hand that has come to rest feels the contact force that the step reports.
+TEST(HapticTrial, atRestTheHandFeelsTheContactForceOfTheStep) {
+  for (const HapticSurface surface : kHapticSurfaces) {
+    const CouplingGains gains{1500, 0.2, 4000, GainLimit::Damping};
+    std::vector<Vec3> path;
+    for (int k = 0; k < 1200; ++k) path.push_back(Vec3(0.0017, 0.001 - 0.003 * std::min(1.0, k / 400.0), 0.0023));
+    const auto felt = exactHapticForces(surface, gains, 0.001, path);
+    ASSERT_TRUE(felt);
+    const auto model = makeHapticScene(surface, gains.stiffness, 0.001, path.front());
+    ASSERT_TRUE(model);
+    Stepper stepper(*model, {});
+    State state = (*model)->start;
+    Inputs inputs;
+    inputs.hands = {(*model)->scenario.tools[0].home};
+    Vec3 force = Vec3::Zero();
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      inputs.hands[0].p_WB = path[k];
+      force = stepper.step(inputs, state).toolForces[0];
+    }
+    EXPECT_GT(force.y(), 0.2) << hapticSurfaceName(surface);
+    EXPECT_LT((felt->back() - force).norm(), 0.002 * force.norm()) << hapticSurfaceName(surface) << " " << felt->back().transpose() << " | " << force.transpose();
   }
 }
 
