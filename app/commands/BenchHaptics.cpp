@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
 #include "app/commands/Devices.h"
 #include "app/commands/JsonObject.h"
+#include "app/commands/OpenScene.h"
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/live/BuildId.h"
@@ -23,13 +25,14 @@ namespace {
 struct HapticsWishes {
   double minutes = 0.5, seconds = 10;
   std::string device = kReferenceDevice, csv;
-  bool json = false;
+  bool json = false, scenes = false;
 };
 
 const std::vector<double> kDelays{0, 0.001, 0.002, 0.005};  // s
 
 std::string hapticTitleOf(const std::string& id) {
   if (id == "haptic-contact") return "Contact: a virtual hand on soft tissue, cartilage and bone, in a time of its own";
+  if (id == "haptic-recorded") return "Recorded hands, in a time of its own: beside the exact step at the rate of the loop";
   if (id == "haptic-z-width") return "Z-width: the stiffest wall that does not swing up, that is passive, and that is chosen";
   return "Clock: a haptic thread beside a simulation in real time";
 }
@@ -52,20 +55,38 @@ Result<Done> benchHaptics(const HapticsWishes& wishes) {
     std::fflush(stdout);
     tables.push_back(std::move(table));
   };
-  {
-    ProgressLine progress("Pressing");
-    auto contact = hapticContactTable(*device, kDelays, wishes.seconds, bars, [&](double fraction) { progress.show(fraction); return true; });
-    if (!contact) return contact.error();
-    progress.show(1);
-    tables.push_back(std::move(*contact));
+  auto pressing = std::make_optional<ProgressLine>("Pressing");
+  auto contact = hapticContactTable(*device, kDelays, wishes.seconds, bars, [&](double fraction) { pressing->show(fraction); return true; });
+  pressing.reset();  // the line is wiped before the table
+  if (!contact) return contact.error();
+  show(std::move(*contact));
+  if (wishes.scenes) {
+    std::vector<std::pair<std::string, StudyScene>> shipped;
+    for (const char* name : {"builtin:arthroscopy", "builtin:palpation"}) {
+      Result<OpenScene> scene = openScenario(name);
+      if (!scene) return scene.error();
+      Result<std::optional<Recording>> input = openShippedInput(name, scene->scenario);
+      if (!input) return input.error();
+      if (*input) shipped.push_back({name, {std::move(scene->joint), std::move(scene->scenario), std::move(**input)}});
+    }
+    auto progress = std::make_optional<ProgressLine>("Feeling recorded hands");
+    auto recorded = hapticRecordedTable(shipped, *device, wishes.seconds, [&](double fraction) { progress->show(fraction); return true; });
+    progress.reset();  // the line is wiped before the table
+    if (!recorded) return recorded.error();
+    show(std::move(*recorded));
   }
-  StudyTable contact = std::move(tables.back());
-  tables.pop_back();
-  show(std::move(contact));
   const StudyTable width = zWidthTable(*device, kDelays);
   if (!wishes.csv.empty())
     if (const auto saved = writeWholeFile(wishes.csv, tableCsv(width)); !saved) return saved;
-  if (wishes.json) tables.push_back(width);
+  if (wishes.json) {
+    tables.push_back(width);
+  } else {
+    StudyTable few = width;  // all of it is for a plot
+    few.rows.clear();
+    for (std::size_t i = 0; i < width.rows.size(); ++i)
+      if (i % 21 % 5 == 0 || std::holds_alternative<double>(width.rows[i].back())) few.rows.push_back(width.rows[i]);
+    std::printf("\n%s", tableText(few, hapticTitleOf(few.id)).c_str());
+  }
   StudyTable clock = emptyHapticClockTable();
   if (wishes.minutes > 0) {
     for (const bool load : {false, true}) {
@@ -98,6 +119,7 @@ void addBenchHaptics(CLI::App& bench_, int& status) {
   command->add_option("--seconds", wishes->seconds, "Of each contact of the virtual hand")->check(CLI::Range(2.5, 600.0));
   command->add_option("--device", wishes->device, "Whose profile: an id of resources/devices/devices.json or ID@FILE");
   command->add_option("--csv", wishes->csv, "Write the Z-width table: stable and passive stiffness against damping, at each delay");
+  command->add_flag("--scenes", wishes->scenes, "Also what the recorded hands of both scenes that ship feel: minutes");
   command->add_flag("--json", wishes->json, "Print the tables as JSON");
   command->callback([wishes, &status] {
     const Result<Done> done = benchHaptics(*wishes);

@@ -7,6 +7,7 @@
 
 #include "simcore/haptic/ZWidth.h"
 #include "simcore/live/Run.h"
+#include "simcore/study/HapticRecorded.h"
 
 namespace glenoid {
 
@@ -59,6 +60,26 @@ StudyTable zWidthTable(const DeviceProfile& device, const std::vector<double>& d
       const bool here = std::abs(damping - chosen.damping) < 1e-9;
       table.rows.push_back({1e3 * delay, damping, stiffestStable(wall, damping), stiffestPassive(wall, damping), here ? StudyCell(chosen.stiffness) : StudyCell()});
     }
+  }
+  return table;
+}
+
+Result<StudyTable> hapticRecordedTable(const std::vector<std::pair<std::string, StudyScene>>& scenes, const DeviceProfile& device, double seconds,
+                                       const std::function<bool(double)>& progress) {
+  StudyTable table;
+  table.id = "haptic-recorded";
+  table.facts = {{"device", device.id}, {"rateHz", device.rate}};
+  table.columns = {"scenario", "tool", "seconds", "forceMaxN", "forceRmsN", "forceErrorRmsN", "forceErrorMedianN", "energyMadeMJ", "rowsMax", "overflowMax",
+                   "publishMs", "tickMs"};
+  double done = 0;
+  for (const auto& [name, scene] : scenes) {
+    const double length = std::min(seconds, inputSeconds(scene.input));
+    const auto felt = feelRecording(scene, device, length, [&](double fraction) { return !progress || progress((done + fraction) / static_cast<double>(scenes.size())); });
+    if (!felt) return felt.error();
+    ++done;
+    for (const RecordedFeel& row : *felt)
+      table.rows.push_back({name, row.tool, row.seconds, row.forceMax, row.forceRms, row.forceError, row.steadyError, 1e3 * row.energyMade,
+                            static_cast<long>(row.rowsMax), static_cast<long>(row.overflowMax), row.publishMs, 1e-3 * row.tickUs});
   }
   return table;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "simcore/study/ContactState.h"
 #include "simcore/study/HapticTrial.h"
 #include "simcore/study/StudyTable.h"
 
@@ -24,6 +25,10 @@ Result<StudyTable> hapticContactTable(const DeviceProfile& device, const std::ve
 
 /// Stable, passive and chosen stiffness of a wall against its damper at each delay: what a Z-width picture shows.
 StudyTable zWidthTable(const DeviceProfile& device, const std::vector<double>& delays);
+
+/// What the hands of recorded scenes feel (feelRecording), a row for each tool; `scenes` with the names that they are shown by.
+Result<StudyTable> hapticRecordedTable(const std::vector<std::pair<std::string, StudyScene>>& scenes, const DeviceProfile& device, double seconds,
+                                       const std::function<bool(double)>& progress);
 
 /// How a real thread keeps its clock while this one simulates the soft slab in time with it: `seconds`, and with `load` as many
 /// threads that only burn as the machine has processors beside. `progress` false ends it early.
