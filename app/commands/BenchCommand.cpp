@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "app/commands/BenchHaptics.h"
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
 #include "app/commands/JsonObject.h"
@@ -119,7 +120,9 @@ void addBenchCommand(CLI::App& app, int& status) {
   command->add_flag("--quick", wishes->quick, "Fewer repetitions and no 75 000 tetrahedra: a minute or two");
   command->add_option("--sections", wishes->sections, "Only these: profiles, friction, bursa, growth, peers")->delimiter(',');
   command->add_flag("--smallest", wishes->smallest, "For tests")->group("");
-  command->callback([wishes, &status] {
+  addBenchHaptics(*command, status);
+  command->callback([wishes, command, &status] {
+    if (!command->get_subcommands().empty()) return;  // that one has run
     const Result<Done> done = bench(*wishes);
     status = done ? kDone : complain(done.error());
   });

@@ -46,6 +46,17 @@ std::string summaryOf(const RunReport& r) {
       out += (i ? "; " : "") + paperDeparture(r.paper->departures[i]).toStdString();
     out += "\n";
   }
+  if (r.haptic) {
+    const HapticReport& h = *r.haptic;
+    out += text("haptics:     %.2f Hz, %s scheduling, late by %.3f ms at the 99th percentile, %.3f at the 99.9th, %.3f at most; %ld of %ld ticks missed\n",
+                h.rateHz, h.realTimeScheduling ? "real-time" : "ordinary", h.latenessP99Ms, h.latenessP999Ms, h.latenessMaxMs, h.missed, h.ticks + h.missed);
+    for (const HapticToolReport& tool : h.tools) {
+      out += text("             %s: %.0f N/m of at most %.0f%s, %.2f N max, %.3f mJ made", tool.tool.c_str(), tool.stiffness, tool.bound,
+                  tool.saturated ? " (the scenario asks for more than the device can show)" : "", tool.forceMaxN, 1e3 * tool.energyMaxJ);
+      if (tool.forceErrorRms) out += text(", %.4f N RMS off the exact step, of %.3f N", *tool.forceErrorRms, *tool.forceRms);
+      out += "\n";
+    }
+  }
   for (const MarkReport& mark : r.marks)
     if (mark.begin < r.seconds)
       out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);

@@ -5,12 +5,14 @@
 
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
+#include "app/commands/Devices.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/Outcome.h"
 #include "app/commands/Picture.h"
 #include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
+#include "simcore/haptic/DeviceProfile.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
@@ -21,8 +23,8 @@ namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trace, traceParts, tracePairs;
-  double seconds = 0, dt = 0;
+  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trace, traceParts, tracePairs;
+  double seconds = 0, dt = 0, compare = 10;
   long steps = 0;
   int threads = 1, every = 1;
   std::optional<unsigned> seed;
@@ -140,13 +142,26 @@ Result<Done> run(const Wishes& wishes) {
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
   options.realtime = wishes.realtime;
+  if (!wishes.device.empty() && !wishes.realtime) return usageError("--device is what a run in real time is felt with, and goes with --realtime");
+  if (wishes.realtime) {
+    Result<DeviceProfile> device = deviceNamed(wishes.device.empty() ? kReferenceDevice : wishes.device);
+    if (!device) return device.error();
+    options.haptic = {std::move(*device), wishes.compare};
+  }
   if (trace) options.observe = [&trace](const StepReport& step, const State& state, std::span<const Penetration> depths) { trace->add(step, state, depths); };
   ProgressLine progress("Running " + wishes.scenario);
   options.progress = [&](double fraction) {
     progress.show(fraction);
     return true;
   };
+  std::optional<ProgressLine> comparing;
+  options.compareProgress = [&](double fraction) {
+    if (!comparing) comparing.emplace("Comparing with the exact step");
+    comparing->show(fraction);
+    return true;
+  };
   Result<RunResult> result = runScenario(*model, options);
+  comparing.reset();
   if (!result) return result.error();
   result->report.scenario = wishes.scenario;
   const bool stretchLaw = hasStretchLaw(scene->scenario.profile, options.stepper.paper);
@@ -189,6 +204,11 @@ void addRunCommand(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"paper", "direct", "reference"}));
   command->add_option("--input", wishes->input, "Hands over time: a .recording; without it the scenario's own");
   command->add_flag("--realtime", wishes->realtime, "Keep pace with the clock");
+  command->add_option("--device", wishes->device,
+                      "With --realtime: whose profile forces are made for, an id of resources/devices/devices.json or ID@FILE; without it the reference device");
+  command->add_option("--haptic-compare", wishes->compare,
+                      "With --realtime: how many seconds from the start are compared with the exact step at the haptic rate afterwards; 0: none")
+      ->check(CLI::Range(0.0, 600.0));
   command->add_option("--effects", wishes->effects, "Such as friction=off,damping=on");
   command->add_option("--paper", wishes->paper,
                       "What the paper profile adds to the published step: tension, recovery-cap, parts, search-again, stretch-law, such as parts=on");

@@ -14,7 +14,8 @@ struct Unit {
   const char* words;
 };
 /// Longer endings first.
-constexpr Unit kUnits[] = {{"MPerS", ", m/s"}, {"MiB", ", MiB"}, {"Ms", ", ms"}, {"Mm", ", mm"}, {"S", ", s"}};
+constexpr Unit kUnits[] = {{"NsPerM", ", N·s/m"}, {"NPerM", ", N/m"}, {"MPerS", ", m/s"}, {"MiB", ", MiB"}, {"Ms", ", ms"}, {"Mm", ", mm"},
+                           {"MJ", ", mJ"}, {"Hz", ", Hz"}, {"Kg", ", kg"}, {"N", ", N"}, {"S", ", s"}};
 
 bool endsWith(const std::string& word, const std::string& ending) {
   return word.size() > ending.size() && word.compare(word.size() - ending.size(), ending.size(), ending) == 0;
@@ -73,6 +74,21 @@ std::string keyWords(const std::string& key) {
     words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   return words + unit;
+}
+
+std::string tableCsv(const StudyTable& table) {
+  std::string out;
+  const auto line = [&out](const auto& cells, const auto& write) {
+    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + write(cells[i]);
+    out += "\n";
+  };
+  line(table.columns, [](const std::string& key) { return key; });
+  for (const auto& row : table.rows)
+    line(row, [](const StudyCell& cell) -> std::string {
+      if (const auto* number = std::get_if<double>(&cell)) return text("%.9g", *number);
+      return std::holds_alternative<std::monostate>(cell) ? std::string() : cellText(cell);
+    });
+  return out;
 }
 
 std::string tableText(const StudyTable& table, const std::string& title) {

@@ -109,15 +109,24 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   if (options.realtime) pacer.emplace(dt);
 
   RunReport& report = result.report;
+  std::optional<RunHaptics> haptics;
+  if (options.realtime && options.haptic) {
+    report.hapticReason = RunHaptics::reasonAgainst(*model, options.stepper.profile);
+    if (report.hapticReason.empty()) haptics.emplace(*model, stepper, options.input, *options.haptic, static_cast<double>(*steps) * dt);
+  } else if (options.realtime) {
+    report.hapticReason = "not-asked";
+  }
   Inputs inputs;
   const auto begun = std::chrono::steady_clock::now();
   std::optional<Notice> stopped;
   for (long s = 0; s < *steps && !stopped; ++s) {
     if (pacer) pacer->waitForStep();
+    if (haptics) haptics->beginStep();
     const double time = state.time;
     // The hand's pose at the step's end is what the implicit step pulls towards.
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
+    if (haptics) haptics->endStep(step, state, pacer->report().slowedSeconds);
     gather.add(step, time, state.v);
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
@@ -171,6 +180,12 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);
   if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);
   if (pacer) report.pace = pacer->report();
+  if (haptics) {
+    report.haptic = haptics->finish(options.compareProgress);
+    for (EffectReport& effect : report.effects)
+      if (effect.name == "haptics") effect = {effect.name, "on", model->scenario.effects.haptics == Wish::On ? "asked-on" : "auto-present", haptics->publishMs(), ""};
+    std::erase_if(report.notices, [](const Notice& notice) { return notice.kind == NoticeKind::UnusedSetting && notice.subject == "haptics"; });
+  }
   if (options.record) result.recording = recordingOf(*model, options, report);
   return result;
 }

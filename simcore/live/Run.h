@@ -8,6 +8,7 @@
 
 #include "simcore/base/Error.h"
 #include "simcore/collide/Penetration.h"
+#include "simcore/live/RunHaptics.h"
 #include "simcore/live/RunReport.h"
 #include "simcore/scene/Recording.h"
 #include "simcore/step/Stepper.h"
@@ -23,6 +24,7 @@ struct RunOptions {
   bool record = false;              ///< answer a recording that `replay --check` can repeat
   double timeLimit = 0;             ///< s of the clock: a run that takes longer ends after the step at hand, with a notice TimeUp; 0: none
   bool realtime = false;            ///< wait for the clock; a late run catches up by a few steps, then slows down
+  std::optional<HapticWishes> haptic;  ///< with `realtime`: what it is felt with; nothing: not felt
   bool checks = true;               ///< penetration on collision and visual surfaces, outside the step's time
   std::optional<double> failDepth;  ///< m: deeper is a notice TooDeep; infinite: never; nothing: PenetrationProbe's own limits
   int visualEvery = 50;             ///< steps between two checks of the visual surfaces; 0: never
@@ -30,6 +32,7 @@ struct RunOptions {
   /// penetration is measured; empty without checks.
   std::function<void(const StepReport& step, const State& state, std::span<const Penetration> depths)> observe;
   std::function<bool(double fraction)> progress;  ///< after every step, 0…1; false cancels
+  std::function<bool(double fraction)> compareProgress;  ///< of the comparison that follows a run that was felt; false ends that
 };
 
 /// Beyond this, the times of all steps would fill the memory.

@@ -81,6 +81,16 @@ Json toJson(const MarkReport& m) {
                  {"seconds", m.seconds}, {"forceMaxN", m.forceMax}});
 }
 
+Json toJson(const HapticToolReport& t) {
+  Json json = object({{"tool", t.tool}, {"stiffness", t.stiffness}, {"damping", t.damping}, {"bound", t.bound}, {"saturated", t.saturated},
+                      {"forceMaxN", t.forceMaxN}, {"energyMaxJ", t.energyMaxJ}, {"forceErrorRms", orNull(t.forceErrorRms)},
+                      {"forceRms", orNull(t.forceRms)}, {"rowsMax", t.rowsMax}});
+  json.set("ticks", object({{"overflow", t.overflowTicks}, {"clamped", t.clampedTicks}, {"slewed", t.slewedTicks}, {"lost", t.lostTicks},
+                            {"silent", t.silentTicks}}));
+  json.set("problemAgeMaxMs", t.problemAgeMaxMs);
+  return json;
+}
+
 template <class T>
 Json listOf(const std::vector<T>& entries) {
   Json list = Json::array();
@@ -93,6 +103,13 @@ Json timesOf(const RunReport& r) {
   for (int s = 0; s < kStageCount; ++s) ms.set(stageName(static_cast<Stage>(s)), toJson(r.stages[s]));
   ms.set("stepWall", toJson(r.stepWall));
   return ms;
+}
+
+Json toJson(const HapticReport& h) {
+  return object({{"device", h.device}, {"realTimeScheduling", h.realTimeScheduling}, {"rateHz", h.rateHz}, {"latenessP50Ms", h.latenessP50Ms},
+                 {"latenessP99Ms", h.latenessP99Ms}, {"latenessP999Ms", h.latenessP999Ms}, {"latenessMaxMs", h.latenessMaxMs},
+                 {"ticks", h.ticks}, {"missed", h.missed}, {"forceMaxN", h.forceMaxN}, {"energyMaxJ", h.energyMaxJ},
+                 {"forceErrorRms", orNull(h.forceErrorRms)}, {"comparedSeconds", h.comparedSeconds}, {"tools", listOf(h.tools)}});
 }
 
 }  // namespace
@@ -171,9 +188,8 @@ std::string toJson(const RunReport& r, const std::function<std::string(const Not
   if (r.pace) {
     json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},
                              {"latenessMaxMs", r.pace->latenessMaxMs}, {"slowedSeconds", r.pace->slowedSeconds}}));
-    // The haptic thread does not exist yet, and a figure nobody measured is worse than none.
-    json.set("haptic", Json());
-    json.set("hapticReason", "not-built");
+    json.set("haptic", r.haptic ? toJson(*r.haptic) : Json());
+    if (!r.haptic) json.set("hapticReason", r.hapticReason);
   }
   return toText(json);
 }

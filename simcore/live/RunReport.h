@@ -89,6 +89,32 @@ struct PaceReport {
   double slowedSeconds = 0;    ///< s that the run gave up catching up with
 };
 
+/// What the hand at one tool felt, and how (simcore/haptic).
+struct HapticToolReport {
+  std::string tool;
+  double stiffness = 0, damping = 0, bound = 0;  ///< N/m, N·s/m, N/m: of the coupling as shown, and the device's bound
+  bool saturated = false;                        ///< the scenario asks for a stiffer one than the device can show
+  double forceMaxN = 0, energyMaxJ = 0;
+  std::optional<double> forceErrorRms, forceRms; ///< N, against the exact step at the haptic rate on the same path
+  int rowsMax = 0;
+  long overflowTicks = 0, clampedTicks = 0, slewedTicks = 0, lostTicks = 0, silentTicks = 0;
+  double problemAgeMaxMs = 0;                    ///< oldest problem that a force was computed from
+};
+
+/// With `--realtime`: how the haptic threads kept their clock and what they showed; the worst of all tools.
+struct HapticReport {
+  std::string device;                            ///< id of its profile
+  bool realTimeScheduling = true;                ///< false: as ordinary threads, since the system allows no other
+  double rateHz = 0;
+  double latenessP50Ms = 0, latenessP99Ms = 0, latenessP999Ms = 0, latenessMaxMs = 0;
+  long ticks = 0, missed = 0;                    ///< of all tools together; missed ones are not caught up
+  double forceMaxN = 0;
+  double energyMaxJ = 0;                         ///< made at a handle in the worst 10 s (haptic/PortEnergy.h)
+  std::optional<double> forceErrorRms;           ///< N; nothing where it was not compared
+  double comparedSeconds = 0;                    ///< s of the run, from its start
+  std::vector<HapticToolReport> tools;
+};
+
 /// Everything a run tells. SI units, times in ms where the name says so.
 struct RunReport {
   std::string scenario, profile, solver, build, isa, jointHash, stateHash;
@@ -121,6 +147,8 @@ struct RunReport {
   std::vector<Notice> notices;               ///< what must be said before any figure is believed
   std::optional<PaperSummary> paper;         ///< `paper` profile only
   std::optional<PaceReport> pace;            ///< `--realtime` only
+  std::optional<HapticReport> haptic;        ///< likewise
+  std::string hapticReason;                  ///< why there is none: a word of RunHaptics
 };
 
 /// The parts of a model as reports and tables show them.

@@ -5,7 +5,7 @@
 
 #include "simcore/live/HandInput.h"
 #include "simcore/live/StepWatch.h"
-#include "simcore/live/TripleBuffer.h"
+#include "simcore/base/TripleBuffer.h"
 #include "simcore/step/Stepper.h"
 
 namespace glenoid {

@@ -103,6 +103,7 @@ class Stepper {
   const StepReport& step(const Inputs& inputs, State& state);
   const Model& model() const;
   struct Work;  ///< private to step/
+  Work& work() { return *m_work; }
 
  private:
   std::unique_ptr<Work> m_work;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <fstream>
+
 #include <nlohmann/json.hpp>
 
 #include "tests/app/Program.h"
@@ -82,6 +85,31 @@ TEST(BenchCommand, oneSectionIsReadable) {
   EXPECT_NE(outcome.out.find("\nFriction:"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("step median, ms"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("Growth"), std::string::npos) << outcome.out;
+}
+
+TEST(BenchCommand, hapticsIsJudgedInATimeOfItsOwn) {
+  const std::string csv = "z-width-test.csv";
+  const Outcome outcome = glenoidProgram("bench haptics --json --minutes 0 --seconds 2.5 --csv " + csv);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(report.is_object()) << outcome.out;
+  const Json* contact = tableOf(report, "haptic-contact");
+  ASSERT_TRUE(contact);
+  ASSERT_EQ((*contact)["rows"].size(), 12u);
+  for (const Json& row : (*contact)["rows"]) {
+    EXPECT_EQ(row["kept"], true) << row.dump();
+    EXPECT_EQ(row["forceErrorRmsN"].is_number(), row["addedDelayMs"] == 0.0) << row.dump();
+  }
+  EXPECT_TRUE(tableOf(report, "haptic-z-width"));
+  EXPECT_FALSE(tableOf(report, "haptic-clock"));
+  std::ifstream table(csv);
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "addedDelayMs,wallDampingNsPerM,stableNPerM,passiveNPerM,chosenNPerM");
+  int rows = 0;
+  while (std::getline(table, line)) ++rows;
+  EXPECT_EQ(rows, 4 * 21);
+  std::remove(csv.c_str());
 }
 
 }  // namespace

@@ -128,12 +128,26 @@ TEST(RunCommand, theProfileOfThePaperReportsItsSplitting) {
   EXPECT_GT(report["paper"]["outerIterationsMax"], 0);
 }
 
-TEST(RunCommand, realTimeKeepsTheClockAndSaysThatHapticsIsNotBuilt) {
-  const Json report = reportOf("--seconds 0.4 --realtime", freshFolder());
+TEST(RunCommand, realTimeKeepsTheClockAndIsFelt) {
+  const Json report = reportOf("--seconds 0.4 --realtime --haptic-compare 0.05", freshFolder());
   EXPECT_EQ(report["realtime"], true);
-  EXPECT_TRUE(report["haptic"].is_null());
-  EXPECT_EQ(report["hapticReason"], "not-built");
   EXPECT_GE(report["pace"]["wallSeconds"], 0.39);  // 80 steps of 5 ms; the last begins after 79
+  const Json& haptic = report["haptic"];
+  ASSERT_TRUE(haptic.is_object());
+  for (const char* field : {"rateHz", "latenessP99Ms", "missed", "forceMaxN", "energyMaxJ", "forceErrorRms"}) EXPECT_TRUE(haptic[field].is_number()) << field;
+  EXPECT_EQ(haptic["device"], "reference");
+  EXPECT_EQ(haptic["comparedSeconds"], 0.05);
+  EXPECT_EQ(haptic["tools"].size(), 2u);
+  EXPECT_GT(haptic["ticks"], 100);
+}
+
+TEST(RunCommand, aDeviceThatNobodyKnowsOrIsNotForThisRunIsBadInput) {
+  const Outcome unknown = glenoidProgram("run builtin:arthroscopy --seconds 0.1 --realtime --device omni");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.err.find("omni"), std::string::npos) << unknown.err;
+  const Outcome unpaced = glenoidProgram("run builtin:arthroscopy --seconds 0.1 --device unknown");
+  EXPECT_EQ(unpaced.status, 2);
+  EXPECT_NE(unpaced.err.find("--realtime"), std::string::npos) << unpaced.err;
 }
 
 TEST(ReplayCommand, aRecordingRepeatsBitByBitAndATamperedOneIsCaught) {

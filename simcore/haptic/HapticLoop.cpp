@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/haptic/HapticLoop.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "simcore/tool/PoseSpring.h"
+
+namespace glenoid {
+
+namespace {
+
+GuardLimits limitsOf(const DeviceProfile& device) {
+  GuardLimits limits;
+  limits.forceMax = device.forceMax;
+  limits.slewMax = device.slewMax;
+  return limits;
+}
+
+}  // namespace
+
+HapticLoop::HapticLoop(const HapticSettings& settings)
+    : m_settings(settings),
+      m_guard(limitsOf(settings.device)),
+      m_handle(settings.device.damping, 1 / settings.rate),
+      m_alone(0, 1 / settings.rate) {}
+
+HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, const ToolInput& input, const LocalProblem& problem) {
+  const double gone = std::numeric_limits<double>::infinity();
+  ++m_counts.ticks;
+  const bool pose = present && isHandPose(input.pose);
+  const bool jumped = pose && m_seen && (input.pose.p_WB - m_lastHand.p_WB).norm() > kWildJump;
+  m_doubt = pose && !jumped ? std::max(0, m_doubt - 1) : kTrustAfter + 1;
+  const bool believed = m_doubt == 0;
+  const double dataAge = believed ? 1e-9 * static_cast<double>(now - input.stamp) : gone;
+  const double age = problem.valid ? 1e-9 * static_cast<double>(now - problem.stamp) : 0.0;
+
+  if (believed && m_seen) {
+    const Vec3 moved = input.pose.p_WB - m_lastHand.p_WB;
+    m_handle.add(m_guard.shown(), moved, T);
+    m_alone.add(m_guard.shown(), moved, T);
+  }
+  if (problem.valid && problem.stiffness != m_wishedStiffness) {
+    m_wishedStiffness = problem.stiffness;
+    m_counts.gains = gainsFor(m_settings.device, problem.stiffness, m_settings.rate, m_settings.addedDelay);
+  }
+
+  ProxyForce felt;
+  if (believed) {
+    const ProxyGains gains{m_counts.gains.stiffness, m_counts.gains.damping, problem.angularStiffness, 0};
+    felt = m_proxy.solve(problem, input.pose, gains, T, age);
+  } else {
+    m_proxy.forget();
+  }
+  if (pose) m_lastHand = input.pose;  // where a hand comes back is where it goes on from
+  m_seen = pose;
+
+  Answer answer;
+  answer.force = m_guard.show(felt.force, dataAge, age, problem.dt, T);
+  const double kept = felt.force.norm() > 0 ? std::min(1.0, answer.force.norm() / felt.force.norm()) : 0.0;
+  answer.torque = kept * felt.torque;
+
+  const GuardWord& word = m_counts.word = m_guard.word();
+  m_counts.clamped += word.clamped || felt.cut;
+  m_counts.slewed += word.slewed;
+  m_counts.lost += word.lost;
+  m_counts.silent += word.silent;
+  m_counts.inexact += !felt.exact;
+  m_counts.rows = problem.valid ? problem.rowCount : 0;
+  m_counts.rowsMax = std::max(m_counts.rowsMax, m_counts.rows);
+  if (problem.valid && problem.overflow > 0) {
+    ++m_counts.overflow;
+    m_counts.overflowMax = std::max(m_counts.overflowMax, problem.overflow);
+  }
+  m_counts.force = answer.force;
+  m_counts.forceMax = std::max(m_counts.forceMax, answer.force.norm());
+  m_counts.energyMax = m_handle.worst();
+  m_counts.loopEnergyMax = m_alone.worst();
+  m_counts.problemAge = age;
+  m_counts.problemAgeMax = std::max(m_counts.problemAgeMax, age);
+  if (m_logged < m_log.size()) m_log[m_logged++] = {now, input.pose.p_WB, felt.force, answer.force};
+  return answer;
+}
+
+}  // namespace glenoid

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/step/LocalPublisher.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/body/RigidObject.h"
+#include "simcore/step/StepWork.h"
+
+namespace glenoid {
+
+struct LocalPublisher::Bodies {
+  int count = 0, island = -1;
+  std::array<int, LocalProblem::kBodies> object{-1, -1}, base{-1, -1};
+  bool has(int other) const { return other == object[0] || (count > 1 && other == object[1]); }
+};
+
+namespace {
+
+int objectOfTool(const Model& model, int tool) {
+  for (std::size_t i = 0; i < model.objects.size(); ++i)
+    if (model.objects[i].tool && model.objects[i].toolIndex == tool) return static_cast<int>(i);
+  return -1;
+}
+
+const BoundPoseSpring* gripOf(const CouplingIslandModel& island, int tool) {
+  for (const BoundPoseSpring& bound : island.poseSprings)
+    if (bound.tool == tool) return &bound;
+  return nullptr;
+}
+
+}  // namespace
+
+LocalPublisher::LocalPublisher(Stepper& stepper) : m_stepper(stepper) {
+  m_last.resize(stepper.work().islands.size());
+  m_free.resize(m_last.size());
+}
+
+void LocalPublisher::stepped(const StepReport& report) {
+  Stepper::Work& work = m_stepper.work();
+  m_taken = report.taken && work.inside->contact;
+  if (!m_taken) {
+    for (VecX& last : m_last) last.resize(0);
+    return;
+  }
+  // The forces of a step that was cut are those of its last part, over another length of time.
+  m_known = report.parts == 1;
+  for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    IslandWork& island = work.islands[i];
+    if (!island.response) {
+      m_taken = false;
+      return;
+    }
+    if (m_last[i].size() != island.b.size()) {
+      m_known = false;
+    } else if (m_known) {
+      m_free[i] = island.b + m_last[i];
+      island.response->solve(m_free[i]);
+    }
+    island.A.multiply(island.v, island.residual);
+    m_last[i] = island.residual - island.b;
+    if (report.parts != 1) m_last[i].resize(0);
+  }
+}
+
+void LocalPublisher::chooseRows(const Bodies& bodies) {
+  const Stepper::Work& work = m_stepper.work();
+  m_slot.assign(work.contacts.size(), -1);
+  m_rows.clear();
+  for (std::size_t c = 0; c < work.contacts.size(); ++c) {
+    const StepContact& contact = work.contacts[c];
+    const bool a = bodies.has(contact.objectA), b = bodies.has(contact.objectB);
+    if (a != b) m_rows.push_back(static_cast<int>(c));
+  }
+  std::stable_sort(m_rows.begin(), m_rows.end(), [&](int i, int j) {
+    const StepContact &a = work.contacts[i], &b = work.contacts[j];
+    if ((a.impulse > 0) != (b.impulse > 0)) return a.impulse > 0;
+    return a.impulse > 0 ? a.impulse > b.impulse : a.speed < b.speed;
+  });
+}
+
+void LocalPublisher::chooseOthers(int toolIsland) {
+  const Stepper::Work& work = m_stepper.work();
+  m_reached.assign(work.islands.size(), 0);
+  const auto reach = [&](int island) {
+    if (island < 0 || island == toolIsland || m_reached[island]) return false;
+    m_reached[island] = 1;
+    return true;
+  };
+  for (const int c : m_rows) {
+    reach(work.contacts[c].islandA);
+    reach(work.contacts[c].islandB);
+  }
+  m_others.clear();
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t c = 0; c < work.contacts.size(); ++c) {
+      const StepContact& contact = work.contacts[c];
+      if (!(contact.impulse > 0) || contact.islandA == toolIsland || contact.islandB == toolIsland) continue;
+      const bool a = contact.islandA >= 0 && m_reached[contact.islandA], b = contact.islandB >= 0 && m_reached[contact.islandB];
+      if (!a && !b) continue;
+      if (reach(contact.islandA) || reach(contact.islandB)) more = true;
+      if (m_slot[c] == -1) {
+        m_slot[c] = -2;  // seen
+        m_others.push_back(static_cast<int>(c));
+      }
+    }
+  }
+  std::stable_sort(m_others.begin(), m_others.end(), [&](int i, int j) { return work.contacts[i].impulse > work.contacts[j].impulse; });
+  for (const int c : m_others) m_slot[c] = -1;
+  if (m_others.size() > kOthers) m_others.resize(kOthers);
+}
+
+void LocalPublisher::condense(double h, LocalProblem& out) {
+  Stepper::Work& work = m_stepper.work();
+  const int rows = out.rowCount, n = rows + static_cast<int>(m_others.size());
+  m_G.setZero(n, n);
+  m_w.setZero(n);
+  for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    if (!m_reached[i]) continue;
+    IslandWork& island = work.islands[i];
+    m_islandRows.clear();
+    m_ids.clear();
+    for (int row = 0; row < island.rows.count(); ++row) {
+      const int slot = m_slot[island.rows.contactOf(row)];
+      if (slot < 0) continue;
+      m_islandRows.push_back(island.rows.row(row));
+      m_ids.push_back(slot);
+      m_w[slot] += dot(island.rows.row(row), m_known ? m_free[i] : island.v);
+    }
+    if (m_ids.empty()) continue;
+    island.response->prepare(m_islandRows);
+    island.response->addDelassus(m_ids, m_G);
+  }
+  for (const std::vector<int>* list : {&m_rows, &m_others})
+    for (const int c : *list)
+      if (const int slot = m_slot[c]; slot >= 0) {
+        const StepContact& contact = work.contacts[c];
+        m_G(slot, slot) += contact.compliance;
+        m_w[slot] += contact.near->normal_W.dot(contact.drift_W);
+      }
+  m_C = m_G.topLeftCorner(rows, rows);
+  if (const int others = n - rows; others > 0) {
+    auto shut = m_G.bottomRightCorner(others, others);
+    for (int k = 0; k < others; ++k) shut(k, k) *= 1 + 1e-9;  // rows that say the same twice
+    const Eigen::LLT<MatX> factor(shut);
+    if (factor.info() == Eigen::Success) {
+      m_X = factor.solve(m_G.bottomLeftCorner(others, rows));
+      m_C -= m_X.transpose() * m_G.bottomLeftCorner(others, rows);
+      m_w.head(rows) -= m_X.transpose() * m_w.tail(others);
+    }
+  }
+  out.C.topLeftCorner(rows, rows) = 0.5 * h * h * (m_C + m_C.transpose());
+  for (int i = 0; i < rows; ++i) out.approach[i] = m_w[i];
+}
+
+void LocalPublisher::read(const State& state, int tool, LocalProblem& out) {
+  out.valid = false;
+  out.tool = tool;
+  out.rowCount = out.overflow = out.linkCount = out.bodyCount = 0;
+  if (!m_taken) return;
+  Stepper::Work& work = m_stepper.work();
+  const Model& model = *work.model;
+  out.time = state.time;
+  out.dt = model.scenario.dt;
+
+  Bodies bodies;
+  bodies.object[0] = objectOfTool(model, tool);
+  if (bodies.object[0] < 0) return;
+  bodies.island = work.inside->islandOfObject[bodies.object[0]];
+  const CouplingIslandModel& island = work.inside->islands[bodies.island];
+  const BoundPoseSpring* grip = gripOf(island, tool);
+  if (!grip) return;
+  bodies.count = 1;
+  for (const BoundSpring& spring : island.springs)
+    if (bodies.count == 1 && spring.objectA == bodies.object[0]) bodies.object[bodies.count++] = spring.objectB;
+  for (int b = 0; b < bodies.count; ++b) {
+    bodies.base[b] = work.inside->baseOfObject[bodies.object[b]];
+    out.pose[b] = poseAt(state.q, model.objects[bodies.object[b]].layout.qOffset);
+  }
+  out.bodyCount = bodies.count;
+  out.grip_B = grip->spring.anchor_B;
+  out.stiffness = grip->spring.stiffness;
+  out.angularStiffness = grip->spring.angularStiffness;
+  out.forceMax = grip->spring.forceMax;
+  out.torqueMax = grip->spring.torqueMax;
+  for (const BoundSpring& spring : island.springs)
+    if (out.linkCount < LocalProblem::kLinks && spring.objectA == bodies.object[0] && bodies.count > 1 && spring.objectB == bodies.object[1])
+      out.links[out.linkCount++] = {spring.pointA.r_B, spring.pointB.r_B, spring.stiffness};
+
+  chooseRows(bodies);
+  out.rowCount = std::min<int>(LocalProblem::kRows, static_cast<int>(m_rows.size()));
+  out.overflow = static_cast<int>(m_rows.size()) - out.rowCount;
+  m_rows.resize(out.rowCount);
+  chooseOthers(bodies.island);
+  for (int i = 0; i < out.rowCount; ++i) m_slot[m_rows[i]] = i;
+  for (std::size_t k = 0; k < m_others.size(); ++k) m_slot[m_others[k]] = out.rowCount + static_cast<int>(k);
+
+  const double h = work.settings.dt / work.report.parts;
+  out.J.topRows(out.rowCount).setZero();
+  for (int i = 0; i < out.rowCount; ++i) {
+    const StepContact& contact = work.contacts[m_rows[i]];
+    out.force[i] = contact.impulse / h;
+    out.slack[i] = contact.impulse > 0 ? 0 : h * contact.speed;
+  }
+  const IslandRows& own = work.islands[bodies.island].rows;
+  for (int row = 0; row < own.count(); ++row) {
+    const int slot = m_slot[own.contactOf(row)];
+    if (slot < 0 || slot >= out.rowCount) continue;
+    for (const RowTerm& term : own.row(row))
+      for (int b = 0; b < bodies.count; ++b)
+        if (const int part = term.block - bodies.base[b]; part == 0 || part == 1)
+          out.J.block<1, 3>(slot, 6 * b + 3 * part) = term.coefficient.transpose();
+  }
+  condense(h, out);
+  out.valid = true;
+}
+
+}  // namespace glenoid
