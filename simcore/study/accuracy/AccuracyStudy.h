@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "simcore/study/accuracy/AccuracyErrors.h"
+#include "simcore/study/accuracy/AccuracySetting.h"
+
+namespace glenoid {
+
+/// What a setting is compared with. Each reference is the last of two refinements; what the other still differs from it is the
+/// reference's own error, below which nothing can be told.
+enum class AccuracyAgainst {
+  FinerCells,  ///< the same scene in finer cells, surfaces and steps: everything that a setting leaves out counts
+  OwnCells     ///< the scene in its own cells, in very small steps by the profile `reference`: the solving alone counts
+};
+inline constexpr int kAccuracyReferences = 2;
+/// "finer-cells", "own-cells".
+const char* againstKey(AccuracyAgainst against);
+
+/// How thorough a study is. Refinements: times as many tetrahedra, and into how many parts a step is cut.
+struct AccuracyOptions {
+  WindowWishes windows;            ///< grid: 0: four of the scene's steps
+  int repeats = 7;                 ///< of the timing, interleaved
+  int stepsTimed = 3;              ///< a repeat takes so many from a window's state, after one that is not counted
+  double secondsTimed = 2.5;       ///< at most about so long for one repeat of one setting, by fewer windows
+  int slowWindows = 4;             ///< so many, spread over all, for the profile `paper`, whose steps take a hundred times as long
+  std::array<double, 2> cells{8, 16};
+  std::array<int, 2> cuts{4, 8}, ownCuts{8, 16};
+  bool quick = false;              ///< fewer settings
+  std::vector<AccuracySetting> settings;  ///< in place of those that the study sweeps; the first is the scene
+  std::function<bool(const std::string& what, double fraction)> progress;  ///< false cancels
+};
+/// Within five minutes for a scene of the shoulder's size.
+AccuracyOptions quickAccuracy();
+
+/// Why a setting has no point in the plot.
+struct AccuracyFailure {
+  std::string reason;    ///< key: "not-built", "not-finite", "diverged"; empty: it has one
+  Error error;           ///< of "not-built"
+  long count = 0, of = 0;  ///< steps
+};
+
+struct AccuracyRow {
+  AccuracySetting setting;
+  AccuracyFailure failure;
+  bool ownCells = false;                         ///< only the solving differs from the scene's
+  int windows = 0;                               ///< in which it was compared
+  std::array<std::optional<AccuracyErrors>, kAccuracyReferences> errors;
+  long tetrahedra = 0, cappedSteps = 0, unsolvedIslands = 0, steps = 0;
+  double contacts = 0, deepest = 0;              ///< mean rows of a step; m, of its own collision surfaces
+  std::string deepestWhere;
+  Timing cpu, wall;                              ///< of one step, ms: thread CPU time, and by the clock
+  long timed = 0;                                ///< steps
+  /// ms for as much simulated time as one of the scene's own steps: what settings with other time steps can be compared by.
+  Timing work;
+};
+
+/// A reference and how far its own last refinement moved it.
+struct AccuracyReference {
+  std::optional<Error> missing;                  ///< why there is none
+  AccuracySetting coarser, finest;
+  AccuracyErrors floor;                          ///< of `coarser` against `finest`
+  long tetrahedra = 0;
+};
+
+struct AccuracyResult {
+  std::vector<AccuracyRow> rows;                 ///< in the order of the settings
+  std::array<AccuracyReference, kAccuracyReferences> references;
+  std::vector<AccuracyWindow> windows;           ///< states are kept
+  WindowWishes wishes;
+  AccuracySetting scene;
+  bool friction = false;
+  bool hands = false;                            ///< there are tools
+  int repeats = 0;
+  const AccuracyReference& reference(AccuracyAgainst against) const { return references[static_cast<std::size_t>(against)]; }
+};
+
+/// Measures. The errors are a function of scene, options, build and instruction set; times are the machine's. Fails as
+/// compileModel does for the scene itself, as findWindows does, and with Cancelled; what fails of a setting stands in its row.
+Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOptions& options);
+
+}  // namespace glenoid
