@@ -8,7 +8,7 @@ namespace glenoid {
 
 /// By what a choice is made.
 struct AccuracyView {
-  AccuracyAgainst against = AccuracyAgainst::FinerCells;
+  AccuracyAgainst against = AccuracyAgainst::OwnCells;
   AccuracyQuantity quantity = AccuracyQuantity::Displacement;
 };
 

@@ -13,7 +13,7 @@ namespace glenoid {
 /// reference's own error, below which nothing can be told.
 enum class AccuracyAgainst {
   FinerCells,  ///< the same scene in finer cells, surfaces and steps: everything that a setting leaves out counts
-  OwnCells     ///< the scene in its own cells, in very small steps by the profile `reference`: the solving alone counts
+  OwnCells     ///< the scene in its own cells, in very small steps: the solving alone counts
 };
 inline constexpr int kAccuracyReferences = 2;
 /// "finer-cells", "own-cells".
@@ -24,10 +24,10 @@ struct AccuracyOptions {
   WindowWishes windows;            ///< grid: 0: four of the scene's steps
   int repeats = 7;                 ///< of the timing, interleaved
   int stepsTimed = 3;              ///< a repeat takes so many from a window's state, after one that is not counted
-  double secondsTimed = 2.5;       ///< at most about so long for one repeat of one setting, by fewer windows
+  double secondsTimed = 1;         ///< at most about so long for one repeat of one setting, by fewer windows
   int slowWindows = 4;             ///< so many, spread over all, for the profile `paper`, whose steps take a hundred times as long
-  std::array<double, 2> cells{8, 16};
-  std::array<int, 2> cuts{4, 8}, ownCuts{8, 16};
+  std::array<double, 2> cells{4, 8};
+  std::array<int, 2> cuts{2, 4}, ownCuts{16, 32};
   bool quick = false;              ///< fewer settings
   std::vector<AccuracySetting> settings;  ///< in place of those that the study sweeps; the first is the scene
   std::function<bool(const std::string& what, double fraction)> progress;  ///< false cancels
@@ -57,11 +57,14 @@ struct AccuracyRow {
   Timing work;
 };
 
-/// A reference and how far its own last refinement moved it.
+/// A reference and how far its own last refinement moved it. Both are solved by `direct`; that of the scene's own cells is also
+/// checked by `reference`, which shares neither its factorization nor its rotations: where the two differ by more over the slow
+/// settings' windows in the scene's own steps, that difference is the reference's error.
 struct AccuracyReference {
   std::optional<Error> missing;                  ///< why there is none
   AccuracySetting coarser, finest;
-  AccuracyErrors floor;                          ///< of `coarser` against `finest`
+  AccuracyErrors floor;                          ///< of `coarser` against `finest`, or the check's where that is larger
+  std::optional<AccuracyErrors> check;           ///< `direct` against `reference`, both in the scene's steps
   long tetrahedra = 0;
 };
 
