@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <QGuiApplication>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -95,6 +96,10 @@ int runProgram(int argc, char** argv) {
   };
   if (command == "study") {  // draws letters, still without a display
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt says on stderr where it would keep sockets, which a study has none of.
+    qInstallMessageHandler([](QtMsgType kind, const QMessageLogContext&, const QString& message) {
+      if (kind == QtCriticalMsg || kind == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
+    });
     QGuiApplication application(argc, argv);
     return parse().value_or(status);
   }

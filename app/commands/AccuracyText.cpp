@@ -83,7 +83,7 @@ Result<std::optional<std::size_t>> chosenSetting(const AccuracyResult& result, c
     const double least = leastAccuracy(result, wish.view);
     if (*wish.accuracy < least)
       return Error{Fault::OutOfRange, {}, {quantityText(wish.view.quantity, *wish.accuracy) + " for --accuracy",
-                                          quantityText(wish.view.quantity, least) + " (twice the " + what + " error of the study's own reference)", "any"}, "study"};
+                                          quantityText(wish.view.quantity, least) + " (twice the " + what + " error of the study’s own reference)", "any"}, "study"};
     if (const auto found = pickForAccuracy(result, wish.view, *wish.accuracy)) return found;
     const auto best = extreme(result, wish.view, false);
     if (!best) return Error{Fault::CheckFailed, {}, {"no setting of this study has an error to choose by"}, "study"};
