@@ -142,18 +142,25 @@ LogLogPlot accuracyPlot(const AccuracyResult& result, const std::string& scene, 
   plot.title = "What accuracy costs: " + quantityWords(view.quantity) + ", " + scene;
   plot.subtitle = {"Error against " + againstWords(result, view.against) + ": root mean square over " +
                        text("%zu windows of %.3g s each, of the object for which it is largest.", result.windows.size(), result.wishes.seconds),
-                   text("Time: median of %d interleaved repeats, whiskers up to p95. Hollow: compared in fewer windows, since it is slow. ", result.repeats) +
+                   text("Time: thread CPU, median of %d interleaved repeats, whiskers up to p95. Hollow: compared in fewer windows, since it is slow. ", result.repeats) +
                        "Lower left is better.",
-                   machine};
+                   machine + "."};
+  if (view.against == AccuracyAgainst::OwnCells) plot.subtitle.back() += " Settings with other cells, elements or surfaces are other models: see the plot against finer cells.";
   plot.xTitle = "Error of " + quantityWords(view.quantity) + (isLength(view.quantity) ? ", mm" : ", N");
   plot.yTitle = text("Computing time for each %.3g ms that are simulated, ms", stepMs);
   const double floor = reference.floor[view.quantity].value;
   plot.band = inUnits(view.quantity, floor);
-  plot.bandLabel = "the reference’s own error";
+  plot.bandLabel = "below the reference’s own error: no difference can be told";
   plot.limit = 2 * plot.band;
-  plot.limitLabel = "left of here nothing is promised";
-  for (const double ms : {1.0, 5.0, 20.0}) plot.levels.push_back({ms, text(ms == stepMs ? "%g ms: as fast as it happens" : "%g ms", ms)});
-  if (stepMs != 1 && stepMs != 5 && stepMs != 20) plot.levels.push_back({stepMs, text("%.3g ms: as fast as it happens", stepMs)});
+  plot.limitLabel = "twice that: least --accuracy";
+  for (const double ms : {1.0, 5.0, 20.0}) plot.levels.push_back({ms, text(ms == stepMs ? "%g ms (real time)" : "%g ms", ms)});
+  if (stepMs != 1 && stepMs != 5 && stepMs != 20) plot.levels.push_back({stepMs, text("%.3g ms (real time)", stepMs)});
+
+  // What has no error at all has no place on a logarithmic axis; it stands left of the least that there is.
+  double least = plot.band > 0 ? plot.band : 1e300;
+  for (const AccuracyRow& row : result.rows)
+    if (const auto error = errorIn(row, view); error && *error > 0) least = std::min(least, inUnits(view.quantity, *error));
+  const auto placeOf = [&](double error) { return error > 0 ? inUnits(view.quantity, error) : least < 1e300 ? 0.5 * least : 1e-3; };
 
   const std::vector<std::size_t> front = paretoFront(result, view);
   plot.marginTitle = "No error to draw";
@@ -168,14 +175,15 @@ LogLogPlot accuracyPlot(const AccuracyResult& result, const std::string& scene, 
     if (!error) continue;  // has no place in this view: it is a model of other cells
     auto series = std::find_if(plot.series.begin(), plot.series.end(), [&](const PlotSeries& s) { return s.name == familyWords(row.setting.family); });
     if (series == plot.series.end()) series = plot.series.insert(series, PlotSeries{familyWords(row.setting.family), {}});
-    PlotPoint point{inUnits(view.quantity, *error), row.work.median, row.setting.id, row.work.p95};
+    PlotPoint point{placeOf(*error), row.work.median, row.setting.id, row.work.p95};
+    if (*error == 0) point.label += " (no error)";
     point.important = std::find(front.begin(), front.end(), k) != front.end() || k == chosen || k == 0;
     if (k == chosen) point.label += " (chosen)";
     point.hollow = row.windows != static_cast<int>(result.windows.size());
     series->points.push_back(std::move(point));
   }
   PlotSeries line{"nothing is both faster and nearer", {}, true, false};
-  for (const std::size_t k : front) line.points.push_back({inUnits(view.quantity, *errorIn(result.rows[k], view)), result.rows[k].work.median});
+  for (const std::size_t k : front) line.points.push_back({placeOf(*errorIn(result.rows[k], view)), result.rows[k].work.median});
   plot.series.push_back(std::move(line));
   return plot;
 }

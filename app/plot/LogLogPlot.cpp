@@ -18,6 +18,11 @@ const QColor kColours[] = {QColor(0, 114, 178), QColor(213, 94, 0), QColor(0, 15
 const QColor kText(30, 30, 30), kFaint(225, 225, 225), kBand(205, 205, 205), kLevel(120, 120, 120);
 constexpr double kMarker = 5;
 
+/// What is a line alone is black.
+QColor colourOf(const LogLogPlot& plot, std::size_t series) {
+  return plot.series[series].line && !plot.series[series].markers ? QColor(Qt::black) : kColours[series % std::size(kColours)];
+}
+
 QFont fontOf(double size, bool bold = false) {
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPixelSize(static_cast<int>(size));
@@ -89,19 +94,37 @@ void drawLegend(QPainter& painter, const LogLogPlot& plot, double& y) {
   const QFontMetricsF metrics(painter.font());
   double x = 30;
   y += 28;
+  const auto place = [&](const std::string& name) {  // how wide it is, on the next line where this one is full
+    const double width = 36 + metrics.horizontalAdvance(words(name));
+    if (x + width > kPlotWidth - 20) x = 30, y += 20;
+    return width;
+  };
+  const auto name = [&](const std::string& text, double width) {
+    painter.setPen(kText);
+    painter.drawText(QPointF(x + 13, y), words(text));
+    x += width;
+  };
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     if (series.name.empty()) continue;
-    const double width = 36 + metrics.horizontalAdvance(words(series.name));
-    if (x + width > kPlotWidth - 20) x = 30, y += 20;
+    const double width = place(series.name);
     if (series.line) {
-      painter.setPen(QPen(kColours[k % std::size(kColours)], 1.6));
+      painter.setPen(QPen(colourOf(plot, k), 1.6));
       painter.drawLine(QPointF(x - 8, y - 4.5), QPointF(x + 8, y - 4.5));
     }
     if (series.markers) drawMarker(painter, k, QPointF(x, y - 4.5), false);
-    painter.setPen(kText);
-    painter.drawText(QPointF(x + 13, y), words(series.name));
-    x += width;
+    name(series.name, width);
+  }
+  if (plot.band > 0 && !plot.bandLabel.empty()) {
+    const double width = place(plot.bandLabel);
+    painter.fillRect(QRectF(x - 8, y - 11, 16, 13), kBand);
+    name(plot.bandLabel, width);
+  }
+  if (plot.limit > 0 && !plot.limitLabel.empty()) {
+    const double width = place(plot.limitLabel);
+    painter.setPen(QPen(kLevel, 1.2, Qt::DashLine));
+    painter.drawLine(QPointF(x, y - 12), QPointF(x, y + 2));
+    name(plot.limitLabel, width);
   }
 }
 
@@ -140,11 +163,6 @@ void drawGround(QPainter& painter, const LogLogPlot& plot, const QRectF& area, c
     painter.setPen(QPen(kLevel, 1.2, Qt::DashLine));
     painter.drawLine(QPointF(xs.at(plot.limit), area.top()), QPointF(xs.at(plot.limit), area.bottom()));
   }
-  if (plot.band > 0) say(QPointF(area.left() + 6, area.bottom() - 24), words(plot.bandLabel));
-  if (plot.limit > 0 && xs.at(plot.limit) < area.right()) {
-    const double width = metrics.horizontalAdvance(words(plot.limitLabel));
-    say(QPointF(std::min(xs.at(plot.limit) + 6, area.right() - width - 6), area.bottom() - 8), words(plot.limitLabel));
-  }
   for (const LogLogPlot::Level& level : plot.levels) {
     const double y = ys.at(level.y);
     painter.setPen(QPen(kLevel, 1.2, Qt::DashDotLine));
@@ -154,7 +172,7 @@ void drawGround(QPainter& painter, const LogLogPlot& plot, const QRectF& area, c
   }
 }
 
-void drawLines(QPainter& painter, const LogLogPlot& plot, const PlotAxis& xs, const PlotAxis& ys) {
+void drawLines(QPainter& painter, const LogLogPlot& plot, const PlotAxis& xs, const PlotAxis& ys, Room& room) {
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const PlotSeries& series = plot.series[k];
     if (!series.line) continue;
@@ -171,8 +189,13 @@ void drawLines(QPainter& painter, const LogLogPlot& plot, const PlotAxis& xs, co
       open = true;
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(kColours[k % std::size(kColours)], 1.8));
+    painter.setPen(QPen(colourOf(plot, k), 1.6));
     painter.drawPath(path);
+    const double length = path.length();
+    for (double at = 0; at < length; at += 6) {  // labels keep off it
+      const QPointF point = path.pointAtPercent(path.percentAtLength(at));
+      room.taken.push_back(QRectF(point.x() - 2, point.y() - 2, 4, 4));
+    }
   }
 }
 
@@ -248,7 +271,7 @@ void draw(QPainter& painter, const LogLogPlot& plot) {
   drawLegend(painter, plot, y);
   const double right = plot.margin.empty() ? 30 : 250;
   const QRectF area(86, y + 46, kPlotWidth - 86 - right, kPlotHeight - y - 46 - 60);
-  std::vector<double> xValues{plot.limit}, yValues;
+  std::vector<double> xValues{plot.band, plot.limit}, yValues;
   for (const PlotSeries& series : plot.series)
     for (const PlotPoint& point : series.points) {
       xValues.push_back(point.x);
@@ -261,7 +284,7 @@ void draw(QPainter& painter, const LogLogPlot& plot) {
   Room room{area, {}};
   drawGround(painter, plot, area, xs, ys, room);
   drawAxes(painter, plot, area, xs, ys);
-  drawLines(painter, plot, xs, ys);
+  drawLines(painter, plot, xs, ys, room);
   drawPoints(painter, plot, xs, ys, room);
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(kText, 1.2));

@@ -45,9 +45,9 @@ struct LogLogPlot {
   };
   std::vector<Level> levels;           ///< horizontal lines; the axis reaches as far as them
   double band = 0;                     ///< grey from the left up to this x; 0: none
-  std::string bandLabel;
+  std::string bandLabel;               ///< in the legend
   double limit = 0;                    ///< dashed vertical line; 0: none
-  std::string limitLabel;
+  std::string limitLabel;              ///< in the legend
 };
 
 /// Size that draw() fills, in its own units.

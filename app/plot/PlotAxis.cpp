@@ -24,13 +24,13 @@ bool PlotAxis::hasPlace(double value) { return std::isfinite(value) && value > 0
 double PlotAxis::at(double value) const { return m_pixelFrom + (m_pixelTo - m_pixelFrom) * std::log(value / m_from) / std::log(m_to / m_from); }
 
 std::vector<PlotAxis::Tick> PlotAxis::ticks() const {
-  const bool few = m_to / m_from < 300;  // two decades and a half: powers of ten alone would be too few numbers
+  const bool wide = std::abs(m_pixelTo - m_pixelFrom) / std::log10(m_to / m_from) > 110;  // room for 2 and 5 in each decade
   std::vector<Tick> ticks;
   for (int power = static_cast<int>(std::floor(std::log10(m_from))); power <= static_cast<int>(std::ceil(std::log10(m_to))); ++power)
     for (int digit = 1; digit < 10; ++digit) {
       const double value = digit * std::pow(10.0, power);
       if (value < m_from || value > m_to) continue;
-      const bool named = digit == 1 || (few && (digit == 2 || digit == 5));
+      const bool named = digit == 1 || (wide && (digit == 2 || digit == 5));
       ticks.push_back({value, digit == 1, named ? axisNumber(value) : std::string()});
     }
   return ticks;

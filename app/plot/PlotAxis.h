@@ -20,7 +20,7 @@ class PlotAxis {
   struct Tick {
     double value;
     bool major;         ///< a power of ten
-    std::string label;  ///< of major ticks, and where there is one decade or two of 2 and 5 as well
+    std::string label;  ///< of major ticks, and where a decade has room for them of 2 and 5 as well
   };
   std::vector<Tick> ticks() const;
 
