@@ -39,7 +39,7 @@ std::string familyWords(const std::string& family) {
   if (family == "profile") return "profile";
   if (family == "elements") return "elements";
   if (family == "cells") return "finer cells";
-  if (family == "surfaces") return "visual surfaces in contact";
+  if (family == "surfaces") return "visual surfaces touch (a difference of models, no error)";
   if (family == "contact") return "contact distance, recovery speed";
   if (family == "paper") return "variants of profile paper";
   return family;

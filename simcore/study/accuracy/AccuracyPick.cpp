@@ -11,8 +11,14 @@ bool inAllWindows(const AccuracyResult& result, const AccuracyRow& row) { return
 
 double floorOf(const AccuracyResult& result, const AccuracyView& view) { return result.reference(view.against).floor[view.quantity].value; }
 
+/// The references touch by the scene's own collision surfaces: what lies between those and the visual ones is a difference of two models,
+/// and no error of the finer one.
+bool isComparable(const AccuracyResult& result, const AccuracyRow& row, const AccuracyView& view) {
+  return errorIn(row, view) && inAllWindows(result, row) && !row.setting.visualContact && row.timed > 0;
+}
+
 bool mayBePicked(const AccuracyResult& result, const AccuracyRow& row, const AccuracyView& view) {
-  return errorIn(row, view) && inAllWindows(result, row) && fitsScenario(row.setting);
+  return isComparable(result, row, view) && fitsScenario(row.setting);
 }
 
 /// The row for which `better(a, b)` holds against all others; of equals the first.
@@ -35,7 +41,7 @@ std::optional<double> errorIn(const AccuracyRow& row, const AccuracyView& view) 
 std::vector<std::size_t> paretoFront(const AccuracyResult& result, const AccuracyView& view) {
   std::vector<std::size_t> order, front;
   for (std::size_t k = 0; k < result.rows.size(); ++k)
-    if (errorIn(result.rows[k], view) && inAllWindows(result, result.rows[k]) && result.rows[k].timed > 0) order.push_back(k);
+    if (isComparable(result, result.rows[k], view)) order.push_back(k);
   const auto at = [&](std::size_t k) { return std::pair(result.rows[k].work.median, *errorIn(result.rows[k], view)); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return at(a) < at(b); });
   for (const std::size_t k : order)
@@ -47,13 +53,13 @@ std::optional<std::size_t> pickForBudget(const AccuracyResult& result, const Acc
   const double floor = floorOf(result, view);
   const auto known = [&](const AccuracyRow& row) { return std::max(floor, *errorIn(row, view)); };
   return best(
-      result, [&](const AccuracyRow& row) { return mayBePicked(result, row, view) && row.timed > 0 && row.work.p95 <= budgetMs; },
+      result, [&](const AccuracyRow& row) { return mayBePicked(result, row, view) && row.work.p95 <= budgetMs; },
       [&](const AccuracyRow& a, const AccuracyRow& b) { return std::pair(known(a), a.work.median) < std::pair(known(b), b.work.median); });
 }
 
 std::optional<std::size_t> pickForAccuracy(const AccuracyResult& result, const AccuracyView& view, double error) {
   return best(
-      result, [&](const AccuracyRow& row) { return mayBePicked(result, row, view) && row.timed > 0 && *errorIn(row, view) <= error; },
+      result, [&](const AccuracyRow& row) { return mayBePicked(result, row, view) && *errorIn(row, view) <= error; },
       [&](const AccuracyRow& a, const AccuracyRow& b) { return a.work.median < b.work.median; });
 }
 

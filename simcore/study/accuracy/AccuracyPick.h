@@ -15,7 +15,8 @@ struct AccuracyView {
 /// Error of a row, or nothing where the study has none for this view: it failed, or was not compared with this reference.
 std::optional<double> errorIn(const AccuracyRow& row, const AccuracyView& view);
 
-/// Rows that no other beats in both work (median) and error, by work. Only those compared in all windows take part.
+/// Rows that no other beats in both work (median) and error, by work. Only those compared in all windows take part, and none whose visual
+/// surfaces touch: they are another model than the references.
 std::vector<std::size_t> paretoFront(const AccuracyResult& result, const AccuracyView& view);
 
 /// The most accurate setting that a scenario can say and whose p95 of work fits, ms: work is for as much simulated time as one of

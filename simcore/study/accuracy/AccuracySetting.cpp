@@ -168,7 +168,7 @@ Scenario scenarioWith(const AccuracySetting& setting, Scenario scenario) {
 }
 
 Result<Joint> jointWith(const AccuracySetting& setting, const Joint& joint) {
-  Result<Joint> made = refineJoint(joint, setting.cells);
+  Result<Joint> made = refineCells(joint, setting.cells);
   if (!made) return made;
   if (setting.visualContact)
     for (Part& part : made->parts) part.collision = part.visual;

@@ -16,7 +16,7 @@ struct AccuracySetting {
   Profile profile = Profile::Direct;
   double dt = 0.005;                  ///< s
   std::optional<Elements> elements;   ///< of all soft parts; nothing: as the scene has them
-  double cells = 1;                   ///< times as many tetrahedra in every soft part, collision surfaces with them (RefineJoint.h)
+  double cells = 1;                   ///< times as many tetrahedra in every soft part; where parts touch stays (refineCells)
   bool visualContact = false;         ///< the visual surfaces collide in place of the simplified ones
   double contactDistance = 0;         ///< m
   double recoverySpeedMax = 0;        ///< m/s
@@ -42,7 +42,7 @@ bool hasOwnCells(const AccuracySetting& setting, const AccuracySetting& base);
 bool fitsScenario(const AccuracySetting& setting);
 
 Scenario scenarioWith(const AccuracySetting& setting, Scenario scenario);
-/// Fails as refineJoint does.
+/// Fails as refineCells does.
 Result<Joint> jointWith(const AccuracySetting& setting, const Joint& joint);
 StepperOptions stepperWith(const AccuracySetting& setting);
 

@@ -12,7 +12,7 @@ namespace glenoid {
 /// What a setting is compared with. Each reference is the last of two refinements; what the other still differs from it is the
 /// reference's own error, below which nothing can be told.
 enum class AccuracyAgainst {
-  FinerCells,  ///< the same scene in finer cells, surfaces and steps: everything that a setting leaves out counts
+  FinerCells,  ///< the same scene in finer cells and steps: what cells leave out counts too
   OwnCells     ///< the scene in its own cells, in very small steps: the solving alone counts
 };
 inline constexpr int kAccuracyReferences = 2;

@@ -90,10 +90,10 @@ TEST(AccuracyStudy, errorsRepeatBitForBit) {
 }
 
 TEST(AccuracyStudy, aSettingThatCannotBeBuiltKeepsItsRowWithTheReason) {
-  StudyScene scene = swinging();
-  // A region on a collision surface forbids other cells.
-  scene.joint.parts[0].regions.push_back({"mark", "mark", "other", SurfaceKind::Collision, {{0, 2}}});
+  const StudyScene scene = pressed();
+  // A block of eight bricks cannot be cut into sixteen.
   AccuracyOptions options = few(scene, {1, 1});
+  options.cells = {2, 3.375};
   options.settings[1].cells = 2;
   nameSetting(options.settings[1], options.settings[0]);
   const AccuracyResult result = studyAccuracy(scene, options).value();
@@ -109,7 +109,7 @@ TEST(AccuracyStudy, aSettingThatCannotBeBuiltKeepsItsRowWithTheReason) {
   ASSERT_EQ(table.rows.size(), 2u);
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
   EXPECT_EQ(std::get<std::string>(table.rows[1][2]), "not-built");
-  EXPECT_NE(std::get<std::string>(table.rows[1][3]).find("collision"), std::string::npos);
+  EXPECT_NE(std::get<std::string>(table.rows[1][3]).find("no cell size"), std::string::npos);
 }
 
 TEST(AccuracyStudy, theSweepNamesEachSettingOnceAndBeginsWithTheScene) {
@@ -290,6 +290,9 @@ TEST(AccuracyPick, leavesOutWhatFailedWhatNoFileSaysAndWhatWasComparedInFewWindo
   result.rows[3].setting.paperLimits.innerSweeps = 5;
   EXPECT_EQ(pickForAccuracy(result, {}, 1e-3), 0u);
   EXPECT_EQ(paretoFront(result, {}), (std::vector<std::size_t>{3, 0}));
+  result.rows[0].setting.visualContact = true;
+  EXPECT_EQ(paretoFront(result, {}), (std::vector<std::size_t>{3}));
+  result.rows[0].setting.visualContact = false;
   result.rows[3].errors[1]->by[0].value = std::nan("");
   EXPECT_EQ(paretoFront(result, {}), (std::vector<std::size_t>{0}));
   EXPECT_EQ(pickForBudget(result, {}, 100), 0u);
