@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -18,14 +19,16 @@
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/ResourcePaths.h"
 #include "simcore/scene/ScenarioFile.h"
+#include "simcore/file/Json.h"
+#include "simcore/study/accuracy/AccuracyShards.h"
 #include "simcore/study/accuracy/AccuracyTables.h"
 
 namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, out, budget, accuracy, against = "own-cells", by, input;
-  bool quick = false, smallest = false;
+  std::string scenario, out, budget, accuracy, against = "own-cells", by, input, shard;
+  bool quick = false, smallest = false, merge = false;
 };
 
 std::optional<AccuracyQuantity> quantityNamed(const std::string& word) {
@@ -131,7 +134,51 @@ Result<Done> saveChosen(const AccuracySetting& setting, const OpenScene& scene, 
   return saveScenario(scenario, inFolder(wishes.out, "chosen.scenario.json"));
 }
 
+/// "3/16": the third of sixteen.
+Result<Done> setShard(const std::string& word, AccuracyOptions& options) {
+  if (word.empty()) return Done{};
+  int end = 0;
+  if (std::sscanf(word.c_str(), "%d/%d%n", &options.shard, &options.shards, &end) != 2 || end != static_cast<int>(word.size()) || options.shards < 1 ||
+      options.shards > 1000 || options.shard < 1 || options.shard > options.shards)
+    return usageError("--shard wants a part and how many there are, such as 3/16, not “" + word + "”");
+  return Done{};
+}
+
+/// All shards of a folder as one study.
+Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& study, bool quick) {
+  const auto base = compileModel(study.joint, study.scenario);
+  if (!base) return base.error();
+  const std::vector<AccuracySetting> settings = accuracySettings(**base, quick);
+  std::vector<std::string> paths;
+  std::error_code failed;
+  for (std::filesystem::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const std::string leaf = it->path().filename().string();
+    if (leaf.rfind("shard-", 0) == 0 && leaf.ends_with(".json")) paths.push_back(it->path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  if (paths.empty()) return Error{Fault::FileMissing, {inFolder(folder, "shard-1-of-….json"), "", "", {}}, {}, "study"};
+  std::vector<AccuracyResult> shards;
+  for (const std::string& path : paths) {
+    const Result<JsonValue> json = readJson(path);
+    if (!json) return json.error();
+    Result<AccuracyResult> shard = accuracyResult(*json, settingOf(**base), settings);
+    if (!shard) {
+      Error error = shard.error();
+      error.place.file = path;
+      return error;
+    }
+    shards.push_back(std::move(*shard));
+  }
+  Result<AccuracyResult> merged = mergedShards(shards, settings.size());
+  if (merged) return merged;
+  Error error = merged.error();
+  error.place.file = folder;
+  return error;
+}
+
 Result<Done> accuracy(const Wishes& wishes) {
+  if (!wishes.shard.empty() && (wishes.merge || !wishes.budget.empty() || !wishes.accuracy.empty()))
+    return usageError("--shard measures a part only; --merge, --budget and --accuracy come when all parts are there");
   if (!wishes.budget.empty() && !wishes.accuracy.empty()) return usageError("--budget and --accuracy choose in two ways; give one of them");
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
@@ -147,14 +194,23 @@ Result<Done> accuracy(const Wishes& wishes) {
   if (const auto good = prepareFolder(wishes.out); !good) return good;
 
   AccuracyOptions options = wishes.smallest ? smallestAccuracy() : wishes.quick ? quickAccuracy() : AccuracyOptions();
+  options.machine = machineWords();
+  if (const auto set = setShard(wishes.shard, options); !set) return set.error();
+  const std::string shardFile = inFolder(wishes.out, text("shard-%d-of-%d.json", options.shard, options.shards));
+  std::error_code ignored;
+  if (!wishes.shard.empty() && std::filesystem::exists(shardFile, ignored)) {  // written whole or not at all
+    std::printf("%s is there already.\n", shardFile.c_str());
+    return Done{};
+  }
   ProgressLine progress("Measuring");
   options.progress = [&](const std::string&, double fraction) {
     progress.show(fraction);
     return true;
   };
   const StudyScene study{scene->joint, scene->scenario, *input ? **input : Recording()};
-  const Result<AccuracyResult> result = studyAccuracy(study, options);
+  const Result<AccuracyResult> result = wishes.merge ? mergedIn(wishes.out, study, options.quick) : studyAccuracy(study, options);
   if (!result) return result.error();
+  if (!wishes.shard.empty()) return writeJson(shardFile, toJson(*result));
   const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, *wish);
   const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
   const std::string name = scene->scenario.name.empty() ? scene->scenario.id : scene->scenario.name;
@@ -187,6 +243,9 @@ void addAccuracyStudy(CLI::App& study, int& status) {
                       "counts too")
       ->check(CLI::IsMember({"own-cells", "finer-cells"}));
   command->add_option("--input", wishes->input, "Hands over time: a .recording; without it the scenario's own");
+  command->add_option("--shard", wishes->shard,
+                      "Measure a part of the settings, such as 3/16, into shard-3-of-16.json; one that is there is not measured again");
+  command->add_flag("--merge", wishes->merge, "Measure nothing: put the shards in the folder together");
   command->add_flag("--quick", wishes->quick, "Fewer settings, shorter windows, coarser references: five minutes at most");
   command->add_flag("--smallest", wishes->smallest, "For tests")->group("");
   command->callback([wishes, &status] {

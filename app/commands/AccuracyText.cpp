@@ -141,7 +141,7 @@ LogLogPlot accuracyPlot(const AccuracyResult& result, const std::string& scene, 
   LogLogPlot plot;
   plot.title = "What accuracy costs: " + quantityWords(view.quantity) + ", " + scene;
   plot.subtitle = {"Error against " + againstWords(result, view.against) + ": root mean square over " +
-                       text("%zu windows of %.3g s each, of the object for which it is largest.", result.windows.size(), result.wishes.seconds),
+                       text("%zu windows of %.3g s each, of the part, pair or tool for which it is largest.", result.windows.size(), result.wishes.seconds),
                    text("Time: thread CPU, median of %d interleaved repeats, whiskers up to p95. Hollow: compared in fewer windows, since it is slow. ", result.repeats) +
                        "Lower left is better.",
                    machine + "."};
@@ -182,7 +182,7 @@ LogLogPlot accuracyPlot(const AccuracyResult& result, const std::string& scene, 
     point.hollow = row.windows != static_cast<int>(result.windows.size());
     series->points.push_back(std::move(point));
   }
-  PlotSeries line{"nothing is both faster and nearer", {}, true, false};
+  PlotSeries line{"no other is both faster and nearer", {}, true, false};
   for (const std::size_t k : front) line.points.push_back({placeOf(*errorIn(result.rows[k], view)), result.rows[k].work.median});
   plot.series.push_back(std::move(line));
   return plot;

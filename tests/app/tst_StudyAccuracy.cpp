@@ -79,6 +79,27 @@ TEST(StudyAccuracy, refusesWhatCannotBeToldAndWhatCannotBeHeld) {
   EXPECT_NE(tooFast.err.find("no setting stays within 1e-06 ms"), std::string::npos) << tooFast.err;
 }
 
+TEST(StudyAccuracy, shardsAreMeasuredOnceAndMergeIntoOneStudy) {
+  const auto folder = freshFolder();
+  const std::string out = (folder / "study").string(), start = "study accuracy " + blockScene(folder) + " --out " + out + " --smallest ";
+  EXPECT_EQ(glenoidProgram(start + "--merge").status, 2);  // nothing there yet
+  ASSERT_EQ(glenoidProgram(start + "--shard 1/2").status, 0);
+  const std::string first = readText(out + "/shard-1-of-2.json");
+  const Outcome missing = glenoidProgram(start + "--merge");
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_NE(missing.err.find("settings of which"), std::string::npos) << missing.err;
+  ASSERT_EQ(glenoidProgram(start + "--shard 2/2").status, 0);
+  EXPECT_EQ(glenoidProgram(start + "--shard 1/2").out.find("Scene"), std::string::npos);
+  EXPECT_EQ(readText(out + "/shard-1-of-2.json"), first);  // not measured again
+  EXPECT_FALSE(std::filesystem::exists(out + "/settings.csv"));
+  const Outcome merged = glenoidProgram(start + "--merge --budget 1000s");
+  EXPECT_EQ(merged.status, 0) << merged.err;
+  EXPECT_TRUE(std::filesystem::exists(out + "/displacement-own-cells.svg"));
+  EXPECT_TRUE(std::filesystem::exists(out + "/chosen.scenario.json"));
+  for (const char* wrong : {"--shard 0/2", "--shard 3/2", "--shard 1", "--shard 1/2x", "--shard 1/2 --merge", "--shard 1/2 --budget 1ms"})
+    EXPECT_EQ(glenoidProgram(start + wrong).status, 2) << wrong;
+}
+
 TEST(StudyAccuracy, badRequestsAreRefusedAtOnce) {
   const auto folder = freshFolder();
   const std::string scene = blockScene(folder), start = "study accuracy " + scene + " --out " + (folder / "out").string() + " ";

@@ -175,7 +175,13 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
   result.wishes = options.windows;
   result.wishes.grid = 4 * scene.scenario.dt;
   result.wishes.seconds = std::max(1.0, std::round(options.windows.seconds / result.wishes.grid)) * result.wishes.grid;
-  const std::vector<AccuracySetting> settings = options.settings.empty() ? accuracySettings(**base, options.quick) : options.settings;
+  const std::vector<AccuracySetting> all = options.settings.empty() ? accuracySettings(**base, options.quick) : options.settings;
+  std::vector<AccuracySetting> settings;
+  std::vector<std::size_t> indices;
+  for (std::size_t k = static_cast<std::size_t>(options.shard) - 1; k < all.size(); k += static_cast<std::size_t>(options.shards)) {
+    settings.push_back(all[k]);
+    indices.push_back(k);
+  }
 
   Ground ground{scene, options, *base, result.wishes, {}, {}};
   ground.whole = 1.0 + 4.0 + 2.0 * static_cast<double>(settings.size());
@@ -197,6 +203,8 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
   for (const AccuracySetting& setting : settings) {
     AccuracyRow& row = result.rows.emplace_back();
     row.setting = setting;
+    row.index = indices[result.rows.size() - 1];
+    row.machine = options.machine;
     row.ownCells = hasOwnCells(setting, result.scene);
     if (!ground.goOn(setting.id)) return cancelled();
     auto player = playerOf(ground, setting);

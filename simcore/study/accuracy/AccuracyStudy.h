@@ -29,6 +29,8 @@ struct AccuracyOptions {
   std::array<double, 2> cells{4, 8};
   std::array<int, 2> cuts{2, 4}, ownCuts{16, 32};
   bool quick = false;              ///< fewer settings
+  int shard = 1, shards = 1;       ///< of the settings every shards-th, from the shard-th (1 …) on; all windows and references
+  std::string machine;             ///< for the rows
   std::vector<AccuracySetting> settings;  ///< in place of those that the study sweeps; the first is the scene
   std::function<bool(const std::string& what, double fraction)> progress;  ///< false cancels
 };
@@ -44,6 +46,8 @@ struct AccuracyFailure {
 
 struct AccuracyRow {
   AccuracySetting setting;
+  std::size_t index = 0;                         ///< among all settings of the study
+  std::string machine;                           ///< that took its times: as the options say
   AccuracyFailure failure;
   bool ownCells = false;                         ///< only the solving differs from the scene's
   int windows = 0;                               ///< in which it was compared
@@ -71,7 +75,7 @@ struct AccuracyReference {
 struct AccuracyResult {
   std::vector<AccuracyRow> rows;                 ///< in the order of the settings
   std::array<AccuracyReference, kAccuracyReferences> references;
-  std::vector<AccuracyWindow> windows;           ///< states are kept
+  std::vector<AccuracyWindow> windows;           ///< with their states; those of merged shards have hashes only
   WindowWishes wishes;
   AccuracySetting scene;
   bool friction = false;

@@ -49,7 +49,7 @@ StudyTable settingsTable(const AccuracyResult& result) {
                    "workMedianMs", "workP95Ms", "workP99Ms"};
   for (const char* suffix : {kSuffix[1], kSuffix[0]}) appendColumns(suffix, table.columns);
   for (const char* name : {"contactsMean", "deepestMm", "deepestWhere", "cappedSteps", "unsolvedIslands"}) table.columns.emplace_back(name);
-  for (const char* name : {"frontOwnCells", "frontFinerCells"}) table.columns.emplace_back(name);
+  for (const char* name : {"frontOwnCells", "frontFinerCells", "machine"}) table.columns.emplace_back(name);
   std::array<std::vector<std::size_t>, kAccuracyReferences> fronts;
   for (std::size_t r = 0; r < fronts.size(); ++r) fronts[r] = paretoFront(result, {static_cast<AccuracyAgainst>(r), AccuracyQuantity::Displacement});
   for (std::size_t k = 0; k < result.rows.size(); ++k) {
@@ -72,6 +72,7 @@ StudyTable settingsTable(const AccuracyResult& result) {
       cells.insert(cells.end(), 5, StudyCell());
     }
     for (const std::size_t r : {1, 0}) cells.emplace_back(std::find(fronts[r].begin(), fronts[r].end(), k) != fronts[r].end());
+    cells.emplace_back(row.machine);
     table.rows.push_back(std::move(cells));
   }
   return table;
@@ -100,7 +101,7 @@ StudyTable windowsTable(const AccuracyResult& result) {
   table.facts = {{"lengthS", result.wishes.seconds}, {"samplesEveryS", result.wishes.grid}};
   table.columns = {"timeS", "chosenFor", "mark", "speedMPerS", "forceN", "stateHash"};
   for (const AccuracyWindow& window : result.windows)
-    table.rows.push_back({window.time, std::string(window.loaded ? "load" : "motion"), window.mark, window.speed, window.force, toHex(stateHash(window.state))});
+    table.rows.push_back({window.time, std::string(window.loaded ? "load" : "motion"), window.mark, window.speed, window.force, window.stateHash});
   return table;
 }
 

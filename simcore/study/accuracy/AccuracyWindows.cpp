@@ -128,7 +128,10 @@ Result<std::vector<AccuracyWindow>> findWindows(const StudyScene& scene, std::sh
   const long last = std::lround(windows.back().time / wishes.grid);
   const auto taking = play(scene, std::move(model), wishes.grid, last, [&](long place, const State& state, const Rate&) {
     for (AccuracyWindow& window : windows)
-      if (std::lround(window.time / wishes.grid) == place) window.state = state;
+      if (std::lround(window.time / wishes.grid) == place) {
+        window.state = state;
+        window.stateHash = toHex(stateHash(state));
+      }
     return goOn(0.5 + 0.5 * static_cast<double>(place) / static_cast<double>(std::max(1L, last)));
   });
   if (!taking) return taking.error();

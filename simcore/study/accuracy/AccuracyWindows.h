@@ -17,6 +17,7 @@ struct AccuracyWindow {
   double speed = 0;     ///< m/s, mean over the window of the fastest object's
   double force = 0;     ///< N, mean of what presses on the tools; in a scene without tools of all contact forces
   State state;          ///< where it begins
+  std::string stateHash;  ///< its hash, which stays where the state is not kept
 };
 
 struct WindowWishes {

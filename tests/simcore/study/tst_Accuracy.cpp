@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "simcore/file/Json.h"
+#include "simcore/study/accuracy/AccuracyShards.h"
 #include "simcore/study/accuracy/AccuracyTables.h"
 #include "simcore/study/accuracy/AccuracyTimes.h"
 #include "tests/scenes/BlockScenes.h"
@@ -110,6 +112,55 @@ TEST(AccuracyStudy, aSettingThatCannotBeBuiltKeepsItsRowWithTheReason) {
   for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.columns.size());
   EXPECT_EQ(std::get<std::string>(table.rows[1][2]), "not-built");
   EXPECT_NE(std::get<std::string>(table.rows[1][3]).find("no cell size"), std::string::npos);
+}
+
+TEST(AccuracyShards, mergedTheyAreTheWholeStudyBitForBit) {
+  const StudyScene scene = pressed();
+  AccuracyOptions options = few(scene, {1, 4, 2});
+  options.settings.push_back(options.settings[0]);
+  options.settings[3].cells = 2;  // cannot be built
+  nameSetting(options.settings[3], options.settings[0]);
+  const AccuracyResult whole = studyAccuracy(scene, options).value();
+  const AccuracySetting base = options.settings[0];
+  std::vector<AccuracyResult> shards;
+  for (const int shard : {2, 1}) {
+    options.shards = 2;
+    options.shard = shard;
+    options.machine = shard == 1 ? "one" : "other";
+    // As it comes back from a file.
+    const std::string text = toText(toJson(studyAccuracy(scene, options).value()));
+    shards.push_back(accuracyResult(parseJson(text, "shard").value(), base, options.settings).value());
+  }
+  const AccuracyResult merged = mergedShards(shards, 4).value();
+  ASSERT_EQ(merged.rows.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(merged.rows[k].setting.id, whole.rows[k].setting.id);
+    EXPECT_EQ(merged.rows[k].machine, k % 2 ? "other" : "one");
+    EXPECT_EQ(merged.rows[k].failure.reason, whole.rows[k].failure.reason);
+    EXPECT_EQ(merged.rows[k].timed, whole.rows[k].timed);
+  }
+  EXPECT_EQ(merged.rows[3].failure.reason, "not-built");
+  EXPECT_EQ(toLogLine(merged.rows[3].failure.error), toLogLine(whole.rows[3].failure.error));
+  // Everything that is no time: a table of both, without the columns of milliseconds and machines.
+  StudyTable a = accuracyTables(whole)[0], b = accuracyTables(merged)[0];
+  for (std::size_t c = 0; c < a.columns.size(); ++c) {
+    const std::string& column = a.columns[c];
+    if (column.rfind("step", 0) == 0 || column.rfind("wall", 0) == 0 || column.rfind("work", 0) == 0 || column.rfind("front", 0) == 0 || column == "machine") continue;
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(a.rows[k][c], b.rows[k][c]) << column << " of " << whole.rows[k].setting.id;
+  }
+  EXPECT_EQ(accuracyTables(whole)[1].rows, accuracyTables(merged)[1].rows);
+  EXPECT_EQ(accuracyTables(whole)[2].rows, accuracyTables(merged)[2].rows);
+
+  // One alone, one twice, one of another scene or build, and one of other settings are refused.
+  EXPECT_EQ(mergedShards(std::span(shards).first(1), 4).error().fault, Fault::Unusable);
+  const std::vector<AccuracyResult> twice{shards[0], shards[1], shards[0]};
+  EXPECT_EQ(mergedShards(twice, 4).error().fault, Fault::Unusable);
+  std::vector<AccuracyResult> other = shards;
+  other[1].references[1].floor.by[0].value = std::nextafter(other[1].references[1].floor.by[0].value, 1);
+  EXPECT_EQ(mergedShards(other, 4).error().fault, Fault::Unusable);
+  options.settings.resize(2);
+  EXPECT_EQ(accuracyResult(toJson(whole), base, options.settings).error().fault, Fault::Unusable);
+  EXPECT_EQ(accuracyResult(JsonValue::object(), base, options.settings).error().fault, Fault::Unusable);
 }
 
 TEST(AccuracyStudy, theSweepNamesEachSettingOnceAndBeginsWithTheScene) {
