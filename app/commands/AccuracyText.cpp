@@ -124,7 +124,11 @@ std::string accuracySummary(const AccuracyResult& result, const std::string& sce
   }
   out += text("\nNo other setting is both faster and nearer to the reference in its %s (%s); ms of computing for each %.3g ms that are simulated:\n",
               quantityWords(view.quantity).c_str(), againstKey(view.against), stepMs);
-  for (const std::size_t k : paretoFront(result, view)) out += lineOf(result, rows[k], view);
+  const std::vector<std::size_t> front = paretoFront(result, view);
+  for (const std::size_t k : front) out += lineOf(result, rows[k], view);
+  const double floor = result.reference(view.against).floor[view.quantity].value;
+  if (!front.empty() && *errorIn(rows[front.front()], view) <= floor)  // the fastest has the largest error of the front
+    out += "  All of these lie within the reference’s own error, " + quantityText(view.quantity, floor) + ": by this nothing can be told apart.\n";
   long failed = 0;
   for (const AccuracyRow& row : rows) failed += !row.failure.reason.empty();
   if (failed > 0) out += "\nNo error can be given for:\n";

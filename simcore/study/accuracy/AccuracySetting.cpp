@@ -24,6 +24,8 @@ std::string thousandths(double value) {
   return std::string(digits, end);
 }
 
+constexpr double kTimeStepMost = 0.1;  ///< s: no scenario may have a longer one
+
 struct Sweep {
   AccuracySetting base;
   std::vector<AccuracySetting> settings;
@@ -33,6 +35,7 @@ struct Sweep {
     AccuracySetting setting = base;
     setting.family = family;
     change(setting);
+    if (setting.dt > kTimeStepMost) return;
     nameSetting(setting, base);
     for (const AccuracySetting& known : settings)
       if (known.id == setting.id) return;  // the scene has it already
