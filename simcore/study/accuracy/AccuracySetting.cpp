@@ -2,6 +2,7 @@
 #include "simcore/study/accuracy/AccuracySetting.h"
 
 #include <charconv>
+#include <iterator>
 
 #include "simcore/live/RunReport.h"
 #include "simcore/scene/JointFile.h"
@@ -24,6 +25,7 @@ std::string thousandths(double value) {
   return std::string(digits, end);
 }
 
+constexpr const char* kAdditions[] = {"tension", "recovery-cap", "parts", "search-again", "stretch-law"};  ///< words of PaperSettings
 constexpr double kTimeStepMost = 0.1;  ///< s: no scenario may have a longer one
 
 struct Sweep {
@@ -60,8 +62,8 @@ void sweepPaper(Sweep& sweep, bool quick) {
     s.paperLimits.outerTolerance = 1e-7;
   });
   for (const int inner : {5, 120}) paper([&](AccuracySetting& s) { s.paperLimits.innerSweeps = inner; });
-  for (const char* word : {"tension", "recovery-cap", "parts", "search-again", "stretch-law"})
-    paper([&](AccuracySetting& s) { *paperSetting(s.paper, word) = true; });
+  paper([](AccuracySetting& s) { s.paperLimits.lambdaMaxForNodes = 0; });  // D holds whole objects everywhere
+  for (const char* word : kAdditions) paper([&](AccuracySetting& s) { *paperSetting(s.paper, word) = true; });
 }
 
 bool hasSoftParts(const Model& base) {
@@ -133,18 +135,20 @@ void nameSetting(AccuracySetting& setting, const AccuracySetting& base) {
   if (setting.dt != base.dt) say("dt=" + thousandths(setting.dt) + "ms");
   if (setting.contactDistance != base.contactDistance) say("contact-distance=" + thousandths(setting.contactDistance) + "mm");
   if (setting.recoverySpeedMax != base.recoverySpeedMax) say("recovery-speed=" + thousandths(setting.recoverySpeedMax) + "mm/s");
-  int additions = 0;
+  std::size_t additions = 0;
   std::string words;
-  for (const char* word : {"tension", "recovery-cap", "parts", "search-again", "stretch-law"})
-    if (*paperSetting(setting.paper, word) != *paperSetting(const_cast<AccuracySetting&>(base).paper, word)) {
+  PaperSettings ours = setting.paper, theirs = base.paper;
+  for (const char* word : kAdditions)
+    if (*paperSetting(ours, word) != *paperSetting(theirs, word)) {
       ++additions;
       words += std::string(words.empty() ? "" : "+") + word;
     }
-  if (additions) say("paper=" + (additions == 5 ? "all" : words));
+  if (additions) say("paper=" + (additions == std::size(kAdditions) ? "all" : words));
   const PaperLimits &limits = setting.paperLimits, &known = base.paperLimits;
   if (limits.cgTolerance != known.cgTolerance) say("cg-tolerance=" + shortest(limits.cgTolerance));
   if (limits.outerIterations != known.outerIterations) say("outer=" + std::to_string(limits.outerIterations));
   if (limits.outerTolerance != known.outerTolerance) say("outer-tolerance=" + shortest(limits.outerTolerance));
+  if (limits.lambdaMaxForNodes != known.lambdaMaxForNodes) say("lambda-max=" + shortest(limits.lambdaMaxForNodes));
   if (limits.innerSweeps != known.innerSweeps) say("inner=" + std::to_string(limits.innerSweeps));
   setting.id = id.empty() ? "scene" : id;
 }
@@ -156,7 +160,7 @@ bool hasOwnCells(const AccuracySetting& setting, const AccuracySetting& base) {
 bool fitsScenario(const AccuracySetting& setting) {
   if (setting.profile != Profile::Paper) return true;
   PaperSettings additions = setting.paper;
-  for (const char* word : {"tension", "recovery-cap", "parts", "search-again", "stretch-law"})
+  for (const char* word : kAdditions)
     if (*paperSetting(additions, word)) return false;
   return setting.paperLimits == PaperLimits();
 }
