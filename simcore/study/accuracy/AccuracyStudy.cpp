@@ -49,8 +49,12 @@ Result<std::unique_ptr<AccuracyPlayer>> playerOf(Ground& ground, const AccuracyS
   return std::make_unique<AccuracyPlayer>(ground.base, *model, stepperWith(setting), ground.scene.input);
 }
 
+/// Steps of these take ten to a hundred times as long as those of the others: known beforehand, so that what is compared does not depend on
+/// the machine.
+bool isSlow(const AccuracySetting& setting) { return setting.profile != Profile::Direct || setting.visualContact; }
+
 std::vector<std::size_t> windowsOf(const Ground& ground, const AccuracySetting& setting) {
-  if (setting.profile == Profile::Paper) return ground.few;
+  if (isSlow(setting)) return ground.few;
   std::vector<std::size_t> all(ground.windows.size());
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
   return all;

@@ -25,7 +25,7 @@ struct AccuracyOptions {
   int repeats = 7;                 ///< of the timing, interleaved
   int stepsTimed = 3;              ///< a repeat takes so many from a window's state, after one that is not counted
   double secondsTimed = 1;         ///< at most about so long for one repeat of one setting, by fewer windows
-  int slowWindows = 4;             ///< so many, spread over all, for the profile `paper`, whose steps take a hundred times as long
+  int slowWindows = 4;             ///< so many, spread over all, for the profiles `paper` and `reference` and where visual surfaces touch
   std::array<double, 2> cells{4, 8};
   std::array<int, 2> cuts{2, 4}, ownCuts{16, 32};
   bool quick = false;              ///< fewer settings
