@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
-#include <QCoreApplication>
+#include <QGuiApplication>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -70,15 +71,17 @@ int runProgram(int argc, char** argv) {
   addReplayCommand(app, status);
   addExportCommand(app, status);
   addBenchCommand(app, status);
+  addStudyCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
              "builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");
 
   if (const std::string word = mistypedCommand(app, argc, argv); !word.empty())
     return complain(usageError("there is no command and no file “" + word + "”"));
-  bool command = false;
-  for (int i = 1; i < argc && !command; ++i)
-    for (const CLI::App* sub : app.get_subcommands(nullptr)) command |= sub->get_name() == argv[i];
+  std::string command;
+  for (int i = 1; i < argc && command.empty(); ++i)
+    for (const CLI::App* sub : app.get_subcommands(nullptr))
+      if (sub->get_name() == argv[i]) command = argv[i];
   const auto parse = [&]() -> std::optional<int> {
     try {
       app.parse(argc, argv);
@@ -91,7 +94,16 @@ int runProgram(int argc, char** argv) {
     }
     return std::nullopt;
   };
-  if (command) {  // runs inside parse; needs no display
+  if (command == "study") {  // draws letters, still without a display
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt says on stderr where it would keep sockets, which a study has none of.
+    qInstallMessageHandler([](QtMsgType kind, const QMessageLogContext&, const QString& message) {
+      if (kind == QtCriticalMsg || kind == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
+    });
+    QGuiApplication application(argc, argv);
+    return parse().value_or(status);
+  }
+  if (!command.empty()) {  // runs inside parse; needs no display
     QCoreApplication application(argc, argv);
     return parse().value_or(status);
   }

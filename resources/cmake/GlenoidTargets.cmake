@@ -76,7 +76,7 @@ list(JOIN GLENOID_SANITIZED_FILTER ":" GLENOID_SANITIZED_FILTER)
 # Programs that run at length, on larger scenes or by the clock, what others check once: continuous integration builds and
 # runs them without a sanitizer; and what takes a minute to compile there of code that the steps' own tests go through. By hand:
 # cmake --build --preset asan --target simcore_tests && ctest --preset asan -L simcore
-set(GLENOID_NOT_SANITIZED tst_study tst_haptic_trial tst_peer_scene tst_peer_study
+set(GLENOID_NOT_SANITIZED tst_study tst_study_accuracy tst_haptic_trial tst_peer_scene tst_peer_study
   tst_step_sliding tst_step_friction tst_collide_cost tst_linear_allocation tst_live_bits tst_live_carry tst_export tst_large_surface
   tst_difficult_meshes tst_body tst_coupling tst_static_part)  # the last is what the thread sanitizer is for
 

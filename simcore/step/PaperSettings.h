@@ -21,6 +21,19 @@ struct PaperSettings {
   static PaperSettings all() { return {true, true, true, true, true}; }
 };
 
+/// Where the iterations of the `paper` profile end. The publication gives no figure; these are ours, and what a run takes
+/// unless somebody asks for others (`glenoid study accuracy` measures what each costs and brings).
+struct PaperLimits {
+  double cgTolerance = 1e-6;      ///< relative residual of the unconstrained solve
+  int cgIterations = 2000;        ///< block-Jacobi preconditioned
+  int outerIterations = 40;       ///< Jacobi over velocities
+  double outerTolerance = 1e-4;   ///< change of v between two iterations, relative
+  int innerSweeps = 30;           ///< projected Gauss–Seidel on B = J D⁻¹ Jᵀ
+  int powerIterations = 15;       ///< estimate of λmax(D⁻¹A)
+  double lambdaMaxForNodes = 1.9; ///< above it D holds objects instead of nodes
+  bool operator==(const PaperLimits&) const = default;
+};
+
 /// Whether the steps of a profile have the stretch law.
 inline bool hasStretchLaw(Profile profile, const PaperSettings& paper = {}) { return profile != Profile::Paper || paper.stretchLaw; }
 

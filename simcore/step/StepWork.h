@@ -22,17 +22,6 @@
 
 namespace glenoid {
 
-/// Caps and tolerances of the `paper` profile, named here once. The publication gives none.
-struct PaperLimits {
-  double cgTolerance = 1e-6;      ///< relative residual of the unconstrained solve
-  int cgIterations = 2000;        ///< block-Jacobi preconditioned
-  int outerIterations = 40;       ///< Jacobi over velocities
-  double outerTolerance = 1e-4;   ///< change of v between two iterations, relative
-  int innerSweeps = 30;           ///< projected Gauss–Seidel on B = J D⁻¹ Jᵀ
-  int powerIterations = 15;       ///< estimate of λmax(D⁻¹A)
-  double lambdaMaxForNodes = 1.9; ///< above it D holds objects instead of nodes
-};
-
 /// D of the splitting A = D − L − U for one coupling island: a pattern of A's own blocks, and its factor.
 struct Splitting {
   std::shared_ptr<const BlockSymbolic> symbolic;

@@ -53,6 +53,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.settings = work.inside->settings;
   work.settings.portable = options.portable;
   work.settings.rotationsBySvd = options.profile == Profile::Reference;
+  work.paper = options.paperLimits;
   work.additions = options.profile == Profile::Paper ? options.paper : PaperSettings::all();
   work.settings.tension = work.additions.tension;
   work.settings.stretchLaw = work.additions.stretchLaw;

@@ -93,6 +93,7 @@ struct StepperOptions {
   /// Called with the state after each part of a step and the part's length, s: for books that want every one.
   std::function<void(const State&, double)> afterPart = {};
   PaperSettings paper = {};  ///< what the `paper` profile adds to the published step
+  PaperLimits paperLimits = {};  ///< and where its iterations end
 };
 
 /// The pure step: model, inputs and state in, state and report out. Owns scratch only; one per thread.

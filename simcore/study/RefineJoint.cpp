@@ -47,6 +47,17 @@ Error inPart(Error error, const Part& part) {
   return error;
 }
 
+/// Finer cells for a soft part, along its principal axes; a rigid one has none.
+Result<Done> cutFiner(Part& part, double factor) {
+  if (part.kind == PartKind::Rigid) return Done{};
+  const double tets = static_cast<double>(part.volume->tets.size()) * factor;
+  auto choice = chooseCells(*part.visual, *part.collision, static_cast<int>(std::lround(tets)), GridAxes::Principal);
+  if (!choice) return inPart(choice.error(), part);
+  part.volume = std::make_shared<TetMesh>(std::move(choice->mesh));
+  part.cellSize = choice->cellSize;
+  return Done{};
+}
+
 }  // namespace
 
 Result<Joint> refineJoint(const Joint& joint, double factor, double clearance, const BuildProgress& progress) {
@@ -70,12 +81,19 @@ Result<Joint> refineJoint(const Joint& joint, double factor, double clearance, c
   if (const auto separated = separateCollision(fine, clearance); !separated) return separated.error();
   for (Part& part : fine.parts) {
     if (!goOn(part)) return cancelled;
-    if (part.kind == PartKind::Rigid) continue;
-    const double tets = static_cast<double>(part.volume->tets.size()) * factor;
-    auto choice = chooseCells(*part.visual, *part.collision, static_cast<int>(std::lround(tets)), GridAxes::Principal);
-    if (!choice) return inPart(choice.error(), part);
-    part.volume = std::make_shared<TetMesh>(std::move(choice->mesh));
-    part.cellSize = choice->cellSize;
+    if (const auto cut = cutFiner(part, factor); !cut) return cut.error();
+  }
+  return fine;
+}
+
+Result<Joint> refineCells(const Joint& joint, double factor, const BuildProgress& progress) {
+  if (!(factor >= 1)) return Error{Fault::OutOfRange, {}, {std::to_string(factor), "1", "inf"}, "refinement"};
+  Joint fine = joint;
+  if (factor == 1) return fine;
+  double done = 0;
+  for (Part& part : fine.parts) {
+    if (progress && !progress(part.id, done++ / static_cast<double>(fine.parts.size()))) return Error{Fault::Cancelled, {}, {}, "refining cells"};
+    if (const auto cut = cutFiner(part, factor); !cut) return cut.error();
   }
   return fine;
 }

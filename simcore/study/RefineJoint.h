@@ -17,6 +17,10 @@ namespace glenoid {
 Result<Joint> refineJoint(const Joint& joint, double factor, double clearance = 0.4e-3,
                           const BuildProgress& progress = {});
 
+/// The same with the cells of soft parts alone: collision surfaces, and with them where parts touch, stay as they are. Fails with OutOfRange
+/// for a factor below 1 and as buildJoint does where no cells of such a size hold a part together. Takes seconds.
+Result<Joint> refineCells(const Joint& joint, double factor, const BuildProgress& progress = {});
+
 /// A state of one model for another of the same parts and tools in finer cells: rigid objects keep pose and
 /// velocity, the nodes of a soft one go where the coarse tetrahedra carry them. Impulses start from nothing.
 /// Both models must hold the same objects in the same order (assert).

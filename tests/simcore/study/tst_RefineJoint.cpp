@@ -40,6 +40,20 @@ TEST(RefineJoint, factorOneIsTheJointItselfAndLessIsRefused) {
   EXPECT_EQ(refineJoint(joint, 2, 0.4e-3, [](const std::string&, double) { return false; }).error().fault, Fault::Cancelled);
 }
 
+TEST(RefineJoint, cellsAloneLeaveSurfacesAsTheyAre) {
+  const Joint coarse = shippedScene().joint;
+  const Joint fine = refineCells(coarse, 3).value();
+  for (std::size_t i = 0; i < fine.parts.size(); ++i) {
+    EXPECT_EQ(fine.parts[i].visual, coarse.parts[i].visual);
+    EXPECT_EQ(fine.parts[i].collision, coarse.parts[i].collision);
+    if (!coarse.parts[i].volume) continue;
+    EXPECT_NEAR(static_cast<double>(fine.parts[i].volume->tets.size()) / static_cast<double>(coarse.parts[i].volume->tets.size()), 3, 0.45) << fine.parts[i].id;
+    EXPECT_TRUE(healthOf(*fine.parts[i].volume).healthy());
+  }
+  EXPECT_EQ(refineCells(coarse, 0.5).error().fault, Fault::OutOfRange);
+  EXPECT_EQ(refineCells(coarse, 2, [](const std::string&, double) { return false; }).error().fault, Fault::Cancelled);
+}
+
 TEST(RefineJoint, aCarriedStateMovesLikeTheCoarseOne) {
   const StudyScene scene = shippedScene();
   const auto coarse = compileModel(scene.joint, scene.scenario).value();
