@@ -70,6 +70,7 @@ int runProgram(int argc, char** argv) {
   addReplayCommand(app, status);
   addExportCommand(app, status);
   addBenchCommand(app, status);
+  addStudyCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
              "builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");

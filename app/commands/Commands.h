@@ -15,5 +15,6 @@ void addMeshCommand(CLI::App& app, int& status);
 void addReplayCommand(CLI::App& app, int& status);
 void addExportCommand(CLI::App& app, int& status);
 void addBenchCommand(CLI::App& app, int& status);
+void addStudyCommand(CLI::App& app, int& status);
 
 }  // namespace glenoid

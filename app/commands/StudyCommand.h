@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace glenoid {
+
+/// Each adds one study to `glenoid study`.
+void addStabilityStudy(CLI::App& study, int& status);
+
+}  // namespace glenoid
