@@ -33,6 +33,7 @@ Result<Done> stability(const Wishes& wishes) {
   options.profile = wishes.profile.empty() ? scene->scenario.profile : *profileNamed(wishes.profile);
   options.quick = wishes.quick;
   options.paper = !wishes.noPaper && options.profile != Profile::Paper;
+  options.trialLimit = wishes.quick ? 40 : 120;
   options.paperLimit = wishes.quick ? 4 : 10;
   options.threads = wishes.threads > 0 ? wishes.threads : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
   options.only = wishes.cases;

@@ -121,8 +121,9 @@ std::string stabilitySentences(const StabilityVerdict& verdict) {
     else if (word == "inside-out") out += text("%d elements are still inside out.", f.insideOutEnd);
     else if (word == "too-deep-at-end") out += text("At the end surfaces still lie %.2f mm in each other.", 1e3 * f.depthEnd);
     else if (word == "not-at-rest") out += text("It was beyond its bounds of rest until %.2f s after the load; at the end its fastest point moves at %.1f mm/s.", f.secondsToRest, 1e3 * f.restSpeed);
-    else if (word == "time-up") out += text("It was stopped after %.2f s of simulated time.", static_cast<double>(f.steps) * verdict.trial.dt);
+    else if (word == "time-up") out += text("It took too long and was stopped after %.2f s of simulated time.", static_cast<double>(f.steps) * verdict.trial.dt);
   }
+  if (verdict.carried.share > 1 && f.timeUp) out += text("%sIt took too long and was stopped after %.2f s of simulated time.", out.empty() ? "" : " ", static_cast<double>(f.steps) * verdict.trial.dt);
   if (verdict.carried.share > 1)
     out += text("%sThe matter of %s cannot carry its weight and its loads, which are %.3g times Young's modulus times its section: it need not come to rest.",
                 out.empty() ? "" : " ", verdict.carried.part.c_str(), verdict.carried.share);

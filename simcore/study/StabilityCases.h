@@ -19,7 +19,7 @@ enum class Ordeal {
   Speed,         ///< all parts begin with a velocity, m/s, and bones with a turn of ten times as many rad/s
   RandomLoads,   ///< every part is shaken by accelerations up to `amount` m/s², new ones every 50 ms, bones turned likewise
   Gravity,       ///< gravity points somewhere else from the first moment on, `amount` times as strong
-  Shape,         ///< soft parts begin in the misshape `shape`; amount: the seed
+  Shape,         ///< a soft part begins in the misshape `shape`; amount: the seed
   Stiffness,     ///< all tissue `amount` times as stiff from the scene's own start on, and a hand presses 5 mm deep
   Poisson        ///< all tissue has this Poisson's ratio, likewise
 };

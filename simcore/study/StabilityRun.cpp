@@ -3,8 +3,8 @@
 
 #include <Eigen/SVD>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "simcore/body/SoftObject.h"
 #include "simcore/live/PenetrationProbe.h"
@@ -26,12 +26,15 @@ double thicknessOf(const TriMesh& mesh) {
 /// Depths of all pairs against their bounds, by the check that shares nothing with the search.
 class Depths {
  public:
-  Depths(const Model& model, const State& start, const StabilityBounds& bounds) : m_model(model), m_probe(model, SurfaceKind::Collision) {
+  Depths(const Model& model, const State& start, const StabilityBounds& bounds, int misshapen) : m_model(model), m_probe(model, SurfaceKind::Collision) {
     for (const CollisionPair& pair : model.collisionPairs)
       m_limits.push_back(std::min(bounds.depth, bounds.thinShare * std::min(thicknessOf(*model.objects[pair.surfaceA].collision.mesh),
                                                                            thicknessOf(*model.objects[pair.surfaceB].collision.mesh))));
     m_probe.look(start.q);
-    for (const Penetration& found : m_probe.lastLook()) m_apart.push_back(found.depth == 0);
+    for (std::size_t p = 0; p < m_limits.size(); ++p) {
+      const CollisionPair& pair = model.collisionPairs[p];
+      m_apart.push_back(m_probe.lastLook()[p].depth == 0 && pair.surfaceA != misshapen && pair.surfaceB != misshapen);
+    }
   }
 
   void look(const State& state, const std::vector<DentView>& dents, StabilityFigures& figures) {
@@ -56,6 +59,12 @@ class Depths {
   std::vector<double> m_limits;
   std::vector<char> m_apart;
 };
+
+double threadSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 double movedFar(const Model& model, const State& state) {
   double most = 0;
@@ -109,9 +118,10 @@ StabilityFigures measureStability(const StabilityRun& run) {
     before = after;
   };
   Stepper stepper(run.model, options);
-  Depths depths(model, state, run.bounds);
+  Depths depths(model, state, run.bounds, run.misshapen);
   figures.insideOutStart = figures.insideOut = figures.insideOutEnd = elementsInsideOut(model, state, stretchLaw);
-  const auto begun = std::chrono::steady_clock::now();
+  const double begun = threadSeconds();
+  const long lookEvery = std::max(1L, std::lround(run.lookEvery / dt));
   double unrestful = 0;  // the last moment beyond a bound of rest
   for (long step = 0; static_cast<double>(step) * dt < run.seconds; ++step) {
     const double time = static_cast<double>(step) * dt, after = static_cast<double>(step + 1) * dt;
@@ -133,15 +143,16 @@ StabilityFigures measureStability(const StabilityRun& run) {
     figures.contacts = report.contactViews;
     figures.dents = report.dents;
     if (!figures.finite) break;
-    depths.look(state, report.dents, figures);
-    figures.insideOutEnd = elementsInsideOut(model, state, stretchLaw);
-    figures.insideOut = std::max(figures.insideOut, figures.insideOutEnd);
+    if (step % lookEvery == 0 || static_cast<double>(step + 1) * dt >= run.seconds) {
+      depths.look(state, report.dents, figures);
+      figures.insideOutEnd = elementsInsideOut(model, state, stretchLaw);
+      figures.insideOut = std::max(figures.insideOut, figures.insideOutEnd);
+    }
     figures.restSpeed = fastestPoint(model, state);
     if (run.observe) run.observe(report, state);
     if (figures.restSpeed >= run.bounds.restSpeed || figures.insideOutEnd > 0 || figures.depthShareEnd > 1) unrestful = after;
     if (run.comesToRest && run.quiet > 0 && after > std::max(unrestful, run.loadEnds) + run.quiet) break;
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-    figures.timeUp = run.timeLimit > 0 && taken.count() > run.timeLimit;
+    figures.timeUp = run.timeLimit > 0 && threadSeconds() - begun > run.timeLimit;
     if (figures.timeUp) break;
   }
   figures.secondsToRest = std::max(0.0, unrestful - run.loadEnds);
@@ -156,7 +167,7 @@ std::vector<std::string> brokenBounds(const StabilityRun& run, const StabilityFi
   if (figures.rejected > run.bounds.rejectedSteps || !figures.endsTaken) broken.push_back("rejected-steps");
   if (figures.energyExcess > run.bounds.energyExcess) broken.push_back("energy");
   if (figures.depthShare > 1) broken.push_back("depth");
-  if (figures.timeUp) broken.push_back("time-up");
+  if (figures.timeUp && carries) broken.push_back("time-up");
   if (!run.comesToRest || !carries || figures.timeUp || figures.secondsToRest <= run.bounds.secondsToRest) return broken;
   // What keeps it from rest.
   if (figures.insideOutEnd > 0) broken.push_back("inside-out");

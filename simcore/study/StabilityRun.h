@@ -18,11 +18,13 @@ struct StabilityRun {
   std::function<Inputs(double)> hands;  ///< input at a time, s; null: hands at home
   /// Changes velocities before the step that begins at a time, s, by what acts from outside; null: nothing does.
   std::function<void(double, State&)> push;
+  int misshapen = -1;                   ///< an object whose surface encloses nothing sensible at first: judged by where it is when it must be at rest
   double loadEnds = 0;                  ///< s
   bool comesToRest = true;
   double seconds = 0;                   ///< length of the run; shorter where it has been at rest for `quiet`
   double quiet = 0.3;                   ///< s; 0: it always has its whole length
-  double timeLimit = 0;                 ///< s of the clock, for a profile that may take for ever; 0: none
+  double lookEvery = 0;                 ///< s between two looks at depth and elements, which cost more than a calm step; 0: after every step
+  double timeLimit = 0;                 ///< s of the thread's CPU time, for what may take for ever; 0: none
   StabilityBounds bounds;
   StepperOptions stepper;
   /// After each step, for traces; null: nobody looks.
@@ -34,7 +36,7 @@ struct StabilityFigures {
   bool finite = true;
   double energyExcess = 0;      ///< largest (energy − start − work) / (most of start + work so far)
   double energyGained = 0;      ///< J, largest (energy − start − work)
-  double depth = 0;             ///< m, > 0: inside; deepest of surfaces that began apart
+  double depth = 0;             ///< m, > 0: inside; deepest of surfaces that began apart, none of them misshapen
   double depthShare = 0;        ///< of its bound, of the pair that came nearest to it or went furthest beyond
   std::string depthPair;        ///< that pair, "a / b"; empty: nothing was inside anything
   double depthEnd = 0;          ///< m, at the end, of all surfaces

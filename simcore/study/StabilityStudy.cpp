@@ -78,7 +78,7 @@ Result<std::vector<StabilityVerdict>> runStability(const StabilityScene& scene, 
   if (!stage) return stage.error();
   std::vector<Job> jobs;
   for (const StabilityTrial& trial : (*stage)->trials(options.quick))
-    if (chosen(trial)) jobs.push_back({stage->get(), trial, true, 0});
+    if (chosen(trial)) jobs.push_back({stage->get(), trial, true, options.trialLimit});
   std::unique_ptr<StabilityStage> paper;
   if (options.paper && options.profile != Profile::Paper) {
     auto made = StabilityStage::make(scene, Profile::Paper);

@@ -15,7 +15,8 @@ struct StabilityOptions {
   bool paper = false;                 ///< show `paper` beside it, in the scene's own Δt; it does not count
   bool quick = false;
   int threads = 2;
-  double paperLimit = 10;             ///< s of the clock for a trial of `paper`
+  double trialLimit = 120;            ///< s of CPU time for a trial that counts; longer, it did not hold
+  double paperLimit = 10;             ///< likewise of `paper`
   std::vector<std::string> only;      ///< ids of cases; empty: all
   std::function<bool(double)> progress;  ///< 0…1, by one thread at a time; false cancels
 };

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kSettle = 3, kQuiet = 0.3;          ///< s
 constexpr double kTail = 0.35;                       ///< s that a run goes on after it must be at rest
+constexpr double kLookEvery = 0.01;                  ///< s
 constexpr double kTorqueRise = 0.2, kShake = 0.05;   ///< s
 constexpr double kOwnWeights = 20;
 constexpr double kStrong = 10;                       ///< times as strong a hand
@@ -269,9 +270,8 @@ Result<StabilityRun> StabilityStage::runOf(const StabilityTrial& trial) {
     case Ordeal::Speed: setSpeed(*run.model, what.amount * trial.direction, 10 * what.amount * trial.direction, run.start); break;
     case Ordeal::RandomLoads: run.push = shaking(run.model, what.amount, trial.index, what.seconds); break;
     case Ordeal::Shape:
-      for (const int soft : m_soft)
-        if (what.over != Over::Soft || soft == trial.index)
-          misshape(*run.model, soft, what.shape, static_cast<unsigned>(what.over == Over::Seeds ? trial.index : 1) + static_cast<unsigned>(1000 * soft), run.start);
+      run.misshapen = trial.index;
+      misshape(*run.model, trial.index, what.shape, static_cast<unsigned>(what.amount) + static_cast<unsigned>(1000 * trial.index), run.start);
       break;
     case Ordeal::Stiffness:
     case Ordeal::Poisson:
@@ -282,6 +282,7 @@ Result<StabilityRun> StabilityStage::runOf(const StabilityTrial& trial) {
   }
   run.seconds = run.loadEnds + run.bounds.secondsToRest + kTail;
   run.quiet = kQuiet;
+  run.lookEvery = kLookEvery;
   return run;
 }
 
