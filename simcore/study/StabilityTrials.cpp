@@ -180,7 +180,8 @@ std::vector<StabilityTrial> StabilityStage::trials(bool quick) const {
           for (int side = 0; side < 6; side += quick ? 2 : 1) add(m_model->objects[static_cast<std::size_t>(bone)].id + axisName(side), bone, axisOf(side));
         break;
       case Over::Soft:
-        for (const int soft : m_soft) add(m_model->objects[static_cast<std::size_t>(soft)].id, soft);
+        for (const int soft : m_soft)
+          if (!quick || of.empty()) add(m_model->objects[static_cast<std::size_t>(soft)].id, soft);
         break;
       case Over::Seeds:
         for (int seed = 1; seed <= (quick ? 1 : 3); ++seed) add(std::to_string(seed), seed);
