@@ -8,6 +8,8 @@
 #include "app/commands/Console.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/Outcome.h"
+#include "app/commands/StabilityFiles.h"
+#include "simcore/live/BuildId.h"
 #include "simcore/live/Run.h"
 
 namespace glenoid {
@@ -36,12 +38,31 @@ Result<Done> checkAgainst(const Recording& recording, const RunReport& report) {
   return Error{Fault::CheckFailed, {}, {what}, "replay"};
 }
 
+/// A trial of `study stability`: what is done to the scene is said by its name.
+Result<Done> replayGauntlet(const Recording& recording, const Wishes& wishes) {
+  if (!wishes.report.empty()) return usageError("a recording of the gauntlet has figures of its own and gives no run report, so it goes without --report");
+  const Result<StabilityVerdict> verdict = repeatStability(recording);
+  if (!verdict) return verdict.error();
+  const std::string why = stabilitySentences(*verdict);
+  std::printf("%s: %s\n", verdict->trial.id().c_str(), why.empty() ? "It held." : why.c_str());
+  if (!wishes.check) return Done{};
+  RunReport report;
+  report.stateHash = toHex(stateHash(verdict->figures.end));
+  report.jointHash = verdict->model->jointHash;
+  report.isa = kernelIsa(false);
+  report.build = buildId();
+  if (const auto same = checkAgainst(recording, report); !same) return same.error();
+  std::puts("The state at the end is the recorded one, bit by bit.");
+  return Done{};
+}
+
 Result<Done> replay(const Wishes& wishes) {
   const Result<Recording> recording = openRecording(wishes.recording);
   if (!recording) return recording.error();
   const Place place{wishes.recording, "", "", {}};
   if (wishes.check && recording->stateHash.empty())
     return Error{Fault::Unusable, place, {"the recording is an input and holds no expected state"}, "replay --check"};
+  if (stabilityTrialIn(*recording)) return replayGauntlet(*recording, wishes);
   Result<OpenScene> scene = openScenario(recording->scenario);
   if (!scene) return scene.error();
   scene->scenario.dt = recording->dt;

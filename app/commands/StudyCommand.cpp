@@ -11,6 +11,7 @@ void addStudyCommand(CLI::App& app, int& status) {
   CLI::App* study = app.add_subcommand("study", "Put a scene to the test and write what came of it");
   study->require_subcommand(1);
   addAccuracyStudy(*study, status);
+  addStabilityStudy(*study, status);
 }
 
 }  // namespace glenoid

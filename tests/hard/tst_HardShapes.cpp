@@ -2,8 +2,6 @@
 // Hard shapes: a free part starts far from any shape it could have had, and finds back.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "tests/hard/HardScenes.h"
 
 namespace glenoid::hard {
@@ -11,8 +9,8 @@ namespace {
 
 constexpr double kSide = 0.02;  // m
 
-/// One soft cube in empty space; `place` moves its nodes.
-HardCase looseCube(const std::string& name, const std::function<Vec3(const Vec3&)>& place) {
+/// One soft cube in empty space, in a shape of the gauntlet.
+HardCase looseCube(const std::string& name, Misshape shape, unsigned seed = 1) {
   HardCase hard;
   hard.name = name;
   scenes::addMaterials(hard.joint);
@@ -22,13 +20,7 @@ HardCase looseCube(const std::string& name, const std::function<Vec3(const Vec3&
   hard.joint.materials.back().massDamping = 10;  // 1/s
   hard.joint.parts = {box("cube", 1, PartKind::Soft, "muscle", Vec3::Constant(-kSide / 2), Vec3::Constant(kSide / 2), 3)};
   hard.scenario.gravity_W.setZero();
-  hard.start = [place](const Model& model, State& state) {
-    const ObjectLayout& layout = model.objects[0].layout;
-    for (int node = 0; node < layout.nodeCount; ++node) {
-      auto x = state.q.segment<3>(layout.qOffset + 3 * node);
-      x = place(x);
-    }
-  };
+  hard.start = [shape, seed](const Model& model, State& state) { misshape(model, 0, shape, seed, state); };
   hard.ending = "it is let go in the first step";
   return hard;
 }
@@ -41,30 +33,19 @@ void expectShapeBack(const HardCase& hard) {
 }
 
 TEST(HardShapes, everyNodeScattered) {
-  for (const unsigned seed : {1u, 2u, 3u}) {
-    auto random = std::make_shared<std::mt19937>();
-    HardCase hard = looseCube("nodes scattered, seed " + std::to_string(seed), {});
-    hard.start = [seed](const Model& model, State& state) {
-      std::mt19937 draw(seed);
-      for (int i = 0; i < model.objects[0].layout.qSize; ++i)
-        state.q[model.objects[0].layout.qOffset + i] = kSide * (draw() / 4294967296.0 - 0.5);
-    };
-    expectShapeBack(hard);
-  }
+  for (const unsigned seed : {1u, 2u, 3u}) expectShapeBack(looseCube("nodes scattered, seed " + std::to_string(seed), Misshape::Scattered, seed));
 }
 
-TEST(HardShapes, collapsedToAPlane) {
-  expectShapeBack(looseCube("collapsed to a plane", [](const Vec3& x) { return Vec3(x.x(), 0, x.z()); }));
-}
+TEST(HardShapes, collapsedToAPlane) { expectShapeBack(looseCube("collapsed to a plane", Misshape::CollapsedToPlane)); }
 
-TEST(HardShapes, collapsedToAPoint) {
-  expectShapeBack(looseCube("collapsed to a point", [](const Vec3&) { return Vec3(0.001, 0.002, 0.003); }));
-}
+TEST(HardShapes, collapsedToAPoint) { expectShapeBack(looseCube("collapsed to a point", Misshape::CollapsedToPoint)); }
 
 TEST(HardShapes, mirrored) {
-  expectShapeBack(looseCube("mirrored", [](const Vec3& x) { return Vec3(-x.x(), x.y(), x.z()); }));
-  expectShapeBack(looseCube("turned inside out", [](const Vec3& x) { return Vec3(-x); }));
+  expectShapeBack(looseCube("mirrored", Misshape::Mirrored));
+  expectShapeBack(looseCube("turned inside out", Misshape::InsideOut));
 }
+
+TEST(HardShapes, flattenedToATenth) { expectShapeBack(looseCube("flattened to a tenth", Misshape::Squeezed)); }
 
 }  // namespace
 }  // namespace glenoid::hard
