@@ -11,6 +11,7 @@
 #include "app/commands/Console.h"
 #include "app/commands/Devices.h"
 #include "app/commands/JsonObject.h"
+#include "app/commands/StudyFiles.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"

@@ -9,6 +9,7 @@
 #include "app/commands/JsonObject.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/Picture.h"
+#include "app/commands/StudyFiles.h"
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/live/BuildId.h"
@@ -42,29 +43,6 @@ Recording recordingOf(const StabilityVerdict& verdict, const std::string& scene)
   recording.isa = kernelIsa(false);
   recording.stateHash = toHex(stateHash(verdict.figures.end));
   return recording;
-}
-
-std::string csvCell(const StudyCell& cell) {
-  if (const auto* yes = std::get_if<bool>(&cell)) return *yes ? "true" : "false";
-  if (const auto* count = std::get_if<long>(&cell)) return std::to_string(*count);
-  if (const auto* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? text("%.9g", *number) : "";
-  const auto* words = std::get_if<std::string>(&cell);
-  if (!words) return {};
-  if (words->find_first_of(",\"\n") == std::string::npos) return *words;
-  std::string quoted = "\"";
-  for (const char c : *words) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csvOf(const StudyTable& table) {
-  std::string out;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) out += (c ? "," : "") + table.columns[c];
-  out += "\n";
-  for (const auto& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) out += (c ? "," : "") + csvCell(row[c]);
-    out += "\n";
-  }
-  return out;
 }
 
 std::string oneLine(const StabilityVerdict& verdict) {
@@ -150,7 +128,7 @@ std::string stabilityText(std::span<const StabilityVerdict> verdicts, const Stab
 Result<Done> writeStability(const std::string& folder, std::span<const StabilityVerdict> verdicts, const StabilityOptions& options,
                             const std::string& scene) {
   const StudyTable table = stabilityTable(verdicts, options);
-  if (const auto done = writeWholeFile(folder + "/stability.csv", csvOf(table)); !done) return done;
+  if (const auto done = writeWholeFile(folder + "/stability.csv", tableCsv(table)); !done) return done;
   JsonValue json = jsonObject({{"build", buildId()}, {"isa", kernelIsa(false)}, {"processor", processorName()}, {"threads", options.threads},
                                {"scene", scene}, {"extent", options.quick ? "quick" : "full"}});
   JsonValue tables = JsonValue::array();

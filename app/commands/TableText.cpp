@@ -76,21 +76,6 @@ std::string keyWords(const std::string& key) {
   return words + unit;
 }
 
-std::string tableCsv(const StudyTable& table) {
-  std::string out;
-  const auto line = [&out](const auto& cells, const auto& write) {
-    for (std::size_t i = 0; i < cells.size(); ++i) out += (i ? "," : "") + write(cells[i]);
-    out += "\n";
-  };
-  line(table.columns, [](const std::string& key) { return key; });
-  for (const auto& row : table.rows)
-    line(row, [](const StudyCell& cell) -> std::string {
-      if (const auto* number = std::get_if<double>(&cell)) return text("%.9g", *number);
-      return std::holds_alternative<std::monostate>(cell) ? std::string() : cellText(cell);
-    });
-  return out;
-}
-
 std::string tableText(const StudyTable& table, const std::string& title) {
   std::string out = title + "\n";
   for (const auto& [key, value] : table.facts) out += "  " + keyWords(key) + ": " + cellText(value) + "\n";

@@ -14,9 +14,6 @@ std::string tableText(const StudyTable& table, const std::string& title);
 /// {"id", "facts": {…}, "columns": […], "rows": [{…}]}: each row an object by column, null where it has no figure.
 JsonValue tableJson(const StudyTable& table);
 
-/// Rows as comma-separated values below the keys of the columns; nothing where a row has no figure. Words hold no comma.
-std::string tableCsv(const StudyTable& table);
-
 /// "stepMedianMs" → "step median, ms".
 std::string keyWords(const std::string& key);
 

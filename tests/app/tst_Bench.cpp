@@ -105,6 +105,7 @@ TEST(BenchCommand, hapticsIsJudgedInATimeOfItsOwn) {
   std::ifstream table(csv);
   std::string line;
   std::getline(table, line);
+  if (!line.empty() && line.back() == '\r') line.pop_back();
   EXPECT_EQ(line, "addedDelayMs,wallDampingNsPerM,stableNPerM,passiveNPerM,chosenNPerM");
   int rows = 0;
   while (std::getline(table, line)) ++rows;
