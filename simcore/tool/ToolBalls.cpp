@@ -35,11 +35,12 @@ std::vector<ToolBall> straight(const Tool& tool, double tip, double taper) {
   return sweep({{tip * z, tip}, {wide * z, full}, {end * z, full}});
 }
 
-/// Sizes as in ToolShape's hook: along X, a quarter of a bend, then the shaft.
+/// Sizes as in ToolShape's hook: along X, a quarter of a bend, then the shaft. The first ball goes through the end's point and its
+/// first ring, the second through both rings.
 std::vector<ToolBall> hooked(const Tool& tool) {
   const double radius = tool.radius, bend = 2 * radius, reach = 0.004;
-  std::vector<ToolBall> path = {{Vec3(bend + reach - 0.2 * radius, 0, radius), 0.5 * radius},
-                                {Vec3(bend + reach - 0.4 * radius, 0, radius), 0.8 * radius},
+  std::vector<ToolBall> path = {{Vec3(bend + reach - 4.0 / 15 * radius, 0, radius), 17.0 / 30 * radius},
+                                {Vec3(bend + reach - 0.6875 * radius, 0, radius), 0.85 * radius},
                                 {Vec3(bend, 0, radius), radius}};
   for (const double turn : {0.25, 0.5, 0.75, 1.0}) {
     const double angle = turn * std::numbers::pi / 2;

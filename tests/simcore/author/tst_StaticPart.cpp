@@ -106,7 +106,7 @@ TEST(MakeDents, aTableSaysWhatALayerGivesAndIsTheSameAgain) {
   joint.materials[1].youngsModulus *= 2;
   EXPECT_NE(table.basis, dentBasis(joint, joint.parts[1]));
   // Of another block, whose cells and height are not those that the table's correction was measured on: a half-space less what
-  // that still moves at the depth of the ground, to a twentieth.
+  // that still moves at the depth of the ground, to a tenth: by so much it matters how cells lie to the surface.
   Joint coarser = gluedBlock();
   coarser.parts[1].volume = std::make_shared<const TetMesh>(scenes::boxVolume(Vec3(-kSide / 2, -kSide, -kSide / 2), Vec3(kSide / 2, 0, kSide / 2), 3, 3, 3));
   EXPECT_EQ(dentBasis(coarser, coarser.parts[1]), again.parts[1].dents->basis) << "a table does not know of the run's cells";
@@ -122,8 +122,8 @@ TEST(MakeDents, aTableSaysWhatALayerGivesAndIsTheSameAgain) {
   for (std::size_t k = 0; k < block.dents->radii.size(); ++k) {
     const double disk = 16 / (3 * std::pow(std::numbers::pi, 2) * middle.modulus * block.dents->radii[k]);
     std::printf("%.1f mm: %.4e m/N, half-space %.4e to %.4e\n", 1e3 * block.dents->radii[k], middle.compliance[k], disk - ground, disk);
-    EXPECT_GT(middle.compliance[k], 0.95 * (disk - ground));
-    EXPECT_LT(middle.compliance[k], 1.05 * disk);
+    EXPECT_GT(middle.compliance[k], 0.9 * (disk - ground));
+    EXPECT_LT(middle.compliance[k], 1.1 * disk);
   }
 }
 
