@@ -3,6 +3,7 @@
 // volume ratios and depth in the run.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
