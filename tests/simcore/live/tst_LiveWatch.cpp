@@ -93,7 +93,8 @@ TEST(LiveWatch, aDepthIsToldAgainOnlyOnceItIsATenthDeeper) {
     std::this_thread::sleep_for(2ms);
   }
   const auto deepest = [&] {
-    for (const Notice& n : *watch.notices())
+    const auto notices = watch.notices();  // held while it is read
+    for (const Notice& n : *notices)
       if (n.other == "deep") return n.figure;
     return 0.0;
   };
@@ -115,7 +116,8 @@ TEST(LiveWatch, aMarkIsMissedOnlyWhereTheHandsKeptToTheRecording) {
   Steps steps(model);
   const auto missed = [&] {
     std::vector<std::string> names;
-    for (const Notice& n : *watch.notices())
+    const auto notices = watch.notices();  // held while it is read
+    for (const Notice& n : *notices)
       if (n.kind == NoticeKind::MarkMissed) names.push_back(n.subject);
     return names;
   };
