@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simcore/body/SurfaceBinding.h"
+#include "simcore/mesh/MeshHealth.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
@@ -12,15 +13,6 @@ namespace {
 
 const SurfaceBinding& surfaceOf(const SceneObject& object, SurfaceKind kind) {
   return kind == SurfaceKind::Visual ? object.visual : object.collision;
-}
-
-/// Twice the volume over the area, m; infinite where a surface encloses nothing.
-double thicknessOf(const TriMesh& mesh) {
-  double area = 0;
-  for (const auto& t : mesh.triangles)
-    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
-  const double volume = enclosedVolume(mesh);
-  return volume > 0 && area > 0 ? 2 * volume / area : HUGE_VAL;
 }
 
 /// Which visual triangles to skip: those whose centroid lies nearest to a skipped collision triangle.
@@ -61,7 +53,7 @@ void PenetrationProbe::setLimit(std::optional<double> depth) {
   m_limits.clear();
   for (const CollisionPair& pair : m_model.collisionPairs) {
     double limit = HUGE_VAL;
-    for (const int object : {pair.surfaceA, pair.surfaceB}) limit = std::min(limit, thicknessOf(*surfaceOf(m_model.objects[object], m_kind).mesh) / 3);
+    for (const int object : {pair.surfaceA, pair.surfaceB}) limit = std::min(limit, meanThickness(*surfaceOf(m_model.objects[object], m_kind).mesh) / 3);
     m_limits.push_back(depth.value_or(limit));
   }
 }

@@ -73,6 +73,14 @@ double diagonalOf(const TriMesh& mesh) {
 
 }  // namespace
 
+double meanThickness(const TriMesh& mesh) {
+  double area = 0;
+  for (const auto& t : mesh.triangles)
+    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+  const double volume = enclosedVolume(mesh);
+  return volume > 0 && area > 0 ? 2 * volume / area : HUGE_VAL;
+}
+
 MeshHealth healthOf(const TriMesh& mesh) {
   MeshHealth health;
   const int n = health.vertices = static_cast<int>(mesh.vertices.size());

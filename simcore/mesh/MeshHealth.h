@@ -34,6 +34,9 @@ struct MeshHealth {
   }
 };
 
+/// Twice the volume over the area, m: of a sheet its thickness, of a shaft its radius; infinite where a surface encloses nothing.
+double meanThickness(const TriMesh& mesh);
+
 /// Never fails; a mesh with bad indices gets its counts from the triangles that can be read.
 MeshHealth healthOf(const TriMesh& mesh);
 

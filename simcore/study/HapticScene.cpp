@@ -2,50 +2,22 @@
 #include "simcore/study/HapticScene.h"
 
 #include <cmath>
-#include <map>
 
 #include "simcore/embed/Cells.h"
+#include "simcore/mesh/GridBox.h"
 
 namespace glenoid {
 
 namespace {
 
-/// Closed box of triangles about `size` long.
+/// Triangles about `size` long.
 TriMesh boxOf(const Vec3& low, const Vec3& high, double size) {
-  TriMesh mesh;
-  std::array<int, 3> count{};
+  std::array<int, 3> cells{};
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<Eigen::Index>(a);
-    count[a] = std::max(1, static_cast<int>(std::lround((high[axis] - low[axis]) / size)));
+    cells[a] = std::max(1, static_cast<int>(std::lround((high[axis] - low[axis]) / size)));
   }
-  std::map<std::array<int, 3>, int> index;
-  const auto vertex = [&](const std::array<int, 3>& at) {
-    const auto [it, isNew] = index.try_emplace(at, static_cast<int>(mesh.vertices.size()));
-    const Vec3 share(double(at[0]) / count[0], double(at[1]) / count[1], double(at[2]) / count[2]);
-    if (isNew) mesh.vertices.push_back(low + (high - low).cwiseProduct(share));
-    return it->second;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const bool far : {false, true})
-      for (int i = 0; i < count[(axis + 1) % 3]; ++i)
-        for (int j = 0; j < count[(axis + 2) % 3]; ++j) {
-          const auto at = [&](int u, int v) {
-            std::array<int, 3> place{};
-            place[axis] = far ? count[axis] : 0;
-            place[(axis + 1) % 3] = u;
-            place[(axis + 2) % 3] = v;
-            return vertex(place);
-          };
-          const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-          if (far) {
-            mesh.triangles.push_back({a, b, c});
-            mesh.triangles.push_back({a, c, d});
-          } else {
-            mesh.triangles.push_back({a, c, b});
-            mesh.triangles.push_back({a, d, c});
-          }
-        }
-  return mesh;
+  return gridBox(low, high, cells);
 }
 
 Material materialOf(const char* id, double young) {

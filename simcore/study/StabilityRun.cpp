@@ -8,28 +8,20 @@
 
 #include "simcore/body/SoftObject.h"
 #include "simcore/live/PenetrationProbe.h"
+#include "simcore/mesh/MeshHealth.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/study/StabilityEnergy.h"
 
 namespace glenoid {
 namespace {
 
-/// Twice the volume over the area, m: of a sheet its thickness, of a shaft its radius; infinite where a surface encloses nothing.
-double thicknessOf(const TriMesh& mesh) {
-  double area = 0;
-  for (const auto& t : mesh.triangles)
-    area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
-  const double volume = enclosedVolume(mesh);
-  return volume > 0 && area > 0 ? 2 * volume / area : HUGE_VAL;
-}
-
 /// Depths of all pairs against their bounds, by the check that shares nothing with the search.
 class Depths {
  public:
   Depths(const Model& model, const State& start, const StabilityBounds& bounds, int misshapen) : m_model(model), m_probe(model, SurfaceKind::Collision) {
     for (const CollisionPair& pair : model.collisionPairs)
-      m_limits.push_back(std::min(bounds.depth, bounds.thinShare * std::min(thicknessOf(*model.objects[pair.surfaceA].collision.mesh),
-                                                                           thicknessOf(*model.objects[pair.surfaceB].collision.mesh))));
+      m_limits.push_back(std::min(bounds.depth, bounds.thinShare * std::min(meanThickness(*model.objects[pair.surfaceA].collision.mesh),
+                                                                           meanThickness(*model.objects[pair.surfaceB].collision.mesh))));
     m_probe.look(start.q);
     for (std::size_t p = 0; p < m_limits.size(); ++p) {
       const CollisionPair& pair = model.collisionPairs[p];

@@ -16,7 +16,7 @@ double densityOf(const Joint& joint, const Part& part) {
   return material < 0 ? Material{}.density : joint.materials[static_cast<std::size_t>(material)].density;
 }
 
-double weightOf(const Joint& joint, const Part& part) { return densityOf(joint, part) * std::abs(enclosedVolume(*part.visual)); }
+double massOf(const Joint& joint, const Part& part) { return densityOf(joint, part) * std::abs(enclosedVolume(*part.visual)); }
 
 /// What a run of a joint alone needs around it.
 Scenario scenarioAround(const Joint& joint) {
@@ -26,7 +26,7 @@ Scenario scenarioAround(const Joint& joint) {
   const Part* heaviest = nullptr;
   for (const Part& part : joint.parts) {
     const bool better = !heaviest || (part.kind == PartKind::Rigid && heaviest->kind == PartKind::Soft) ||
-                        (part.kind == heaviest->kind && weightOf(joint, part) > weightOf(joint, *heaviest));
+                        (part.kind == heaviest->kind && massOf(joint, part) > massOf(joint, *heaviest));
     if (better) heaviest = &part;
   }
   for (const Part& part : joint.parts) {
@@ -91,7 +91,7 @@ CarriedShare carriedShare(const Joint& joint, const Scenario& scenario) {
   CarriedShare most;
   for (const Part& part : joint.parts) {
     if (part.kind != PartKind::Soft || contains(scenario.fixedParts, part.id) || part.materials.empty()) continue;
-    double pull = scenario.effects.gravity == Wish::Off ? 0 : 9.81 * weightOf(joint, part);
+    double pull = scenario.effects.gravity == Wish::Off ? 0 : scenario.gravity_W.norm() * massOf(joint, part);
     for (const Load& load : scenario.loads)
       if (load.part == part.id) pull += load.force_W.norm();
     const int material = findMaterial(joint, part.materials[0].material);

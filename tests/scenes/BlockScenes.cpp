@@ -2,40 +2,12 @@
 #include "tests/scenes/BlockScenes.h"
 
 #include <cstdlib>
-#include <map>
+
+#include "simcore/mesh/GridBox.h"
 
 namespace glenoid::scenes {
 
-TriMesh boxSurface(const Vec3& low, const Vec3& high, int n) {
-  TriMesh mesh;
-  std::map<std::array<int, 3>, int> index;
-  const auto vertex = [&](std::array<int, 3> at) {
-    const auto [it, isNew] = index.try_emplace(at, static_cast<int>(mesh.vertices.size()));
-    if (isNew) mesh.vertices.push_back(low + (high - low).cwiseProduct(Vec3(at[0], at[1], at[2]) / n));
-    return it->second;
-  };
-  for (int axis = 0; axis < 3; ++axis)
-    for (const int side : {0, n})
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) {
-          const auto at = [&](int u, int v) {
-            std::array<int, 3> p{};
-            p[axis] = side;
-            p[(axis + 1) % 3] = u;
-            p[(axis + 2) % 3] = v;
-            return vertex(p);
-          };
-          const int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
-          if (side) {
-            mesh.triangles.push_back({a, b, c});
-            mesh.triangles.push_back({a, c, d});
-          } else {
-            mesh.triangles.push_back({a, c, b});
-            mesh.triangles.push_back({a, d, c});
-          }
-        }
-  return mesh;
-}
+TriMesh boxSurface(const Vec3& low, const Vec3& high, int n) { return gridBox(low, high, {n, n, n}); }
 
 TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz) {
   TetMesh mesh;

@@ -65,6 +65,25 @@ TEST(AccuracyStudy, theTimeStepConvergesWithTheFirstOrder) {
   EXPECT_FALSE(result.friction);
 }
 
+/// What the study made of no reference of its own: a block that falls freely is, after a time T in steps of Δt, g T Δt/2 lower than
+/// the parabola, whatever its elements; so the reference of Δt/32 is g T Δt/64 lower, and the rest is the error.
+TEST(AccuracyStudy, theErrorOfAFreeFallIsTheClosedForm) {
+  StudyScene scene{scenes::blockOnPlateJoint(), scenes::blockOnPlateScenario(), {}};
+  for (Material& material : scene.joint.materials) material.massDamping = material.stiffnessDamping = 0;
+  scene.joint.exclusions.push_back({"block", "plate", "falls past it"});
+  scene.scenario.tools.clear();
+  const AccuracyOptions options = few(scene, {1, 0.5});
+  const AccuracyResult result = studyAccuracy(scene, options).value();
+  const double reference = scene.scenario.dt / 32, pull = scene.scenario.gravity_W.norm();
+  for (const AccuracyRow& row : result.rows) {
+    const double expected = 0.5 * pull * options.windows.seconds * (row.setting.dt - reference);
+    const AccuracyError& error = (*row.errors[static_cast<std::size_t>(AccuracyAgainst::OwnCells)])[AccuracyQuantity::Displacement];
+    EXPECT_NEAR(error.most, expected, 1e-6 * expected) << row.setting.id;
+    EXPECT_EQ(error.where, "block");
+    EXPECT_LT(error.value, error.most);
+  }
+}
+
 TEST(AccuracyStudy, errorsRepeatBitForBit) {
   const StudyScene scene = pressed();
   AccuracyOptions options = few(scene, {1, 4});
