@@ -9,6 +9,7 @@
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
 #include "simcore/scene/ScenarioFile.h"
+#include "simcore/scene/training/TrainingCheck.h"
 #include "simcore/starter/Starter.h"
 
 namespace glenoid {
@@ -34,6 +35,7 @@ void keepTo(const Joint& joint, const Joint& alsoIn, Scenario& scenario) {
   };
   keepRegions(scenario.pressures);
   keepRegions(scenario.supports);
+  for (const Joint* each : {&joint, &alsoIn}) keepTrainingTo(*each, scenario.training);
   for (Tool& tool : scenario.tools) std::erase_if(tool.perforates, [&](const std::string& id) { return !there(id); });
 }
 

@@ -8,6 +8,34 @@
 
 namespace glenoid {
 
+namespace {
+
+std::string figureOf(const Metric& metric) {
+  const MetricKind* kind = metricKind(metric.name);
+  const std::string unit = kind && std::string(kind->unit) != "1" ? std::string(" ") + kind->unit : std::string();
+  return metric.value ? text("%.4g", *metric.value) + unit : std::string("–");
+}
+
+std::string trainingSummary(const TrainingReport& training) {
+  std::string out;
+  for (const TaskResult& task : training.tasks) {
+    out += text("task:        %s: %s", task.id.c_str(), outcomeName(task.record.outcome));
+    if (task.record.outcome == TaskOutcome::Done)
+      out += text(" after %.1f s, score %.2f", *task.record.ended - *task.record.opened, task.score);
+    if (task.record.errors > 0) out += text(", %d errors", task.record.errors);
+    out += "\n";
+  }
+  for (const Metric& metric : training.metrics) out += text("metric:      %s ", metric.name.c_str()) + figureOf(metric) + "\n";
+  for (const ReferenceResult& result : training.references)
+    if (result.z) out += text("reference:   %s lies %+.1f standard deviations from the mean of %d runs\n", result.figure.metric.c_str(), *result.z, result.figure.count);
+  for (const BenchmarkResult& result : training.benchmarks)
+    out += text("benchmark:   %s at most %g: %s (%s)\n", result.benchmark.metric.c_str(), result.benchmark.limit,
+                !result.value ? "not measured" : result.kept ? "kept" : "not kept", result.benchmark.source.c_str());
+  return out + text("score:       %.1f of 100, %s\n", training.score, training.passed ? "passed" : training.finished ? "not passed" : "not finished");
+}
+
+}  // namespace
+
 Result<Done> saveOutcome(const RunReport& report, const std::string& path) {
   return writeWholeFile(path, toJson(report, [](const Notice& notice) { return sentenceOf(notice).toStdString(); }));
 }
@@ -60,6 +88,7 @@ std::string summaryOf(const RunReport& r) {
   for (const MarkReport& mark : r.marks)
     if (mark.begin < r.seconds)
       out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);
+  if (r.training) out += trainingSummary(*r.training);
   for (const Notice& notice : r.notices) out += "notice:      " + sentenceOf(notice).toStdString() + "\n";
   return out + "state:       " + r.stateHash + "\n";
 }

@@ -23,7 +23,7 @@ namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trace, traceParts, tracePairs;
+  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trainingTrace, trace, traceParts, tracePairs;
   double seconds = 0, dt = 0, compare = 10;
   long steps = 0;
   int threads = 1, every = 1;
@@ -52,7 +52,7 @@ Result<std::optional<Recording>> inputOf(const Wishes& wishes, const Scenario& s
 /// A path that cannot be written is said before the run, not after its minutes.
 Result<Done> checkOutputs(const Wishes& wishes) {
   std::vector<const std::string*> paths;
-  for (const std::string* path : {&wishes.record, &wishes.report, &wishes.render, &wishes.state, &wishes.vtu, &wishes.trace}) {
+  for (const std::string* path : {&wishes.record, &wishes.report, &wishes.render, &wishes.state, &wishes.vtu, &wishes.trainingTrace, &wishes.trace}) {
     if (path->empty()) continue;
     for (const std::string* other : paths)
       if (*other == *path) return usageError("two outputs go to the same file, " + *path);
@@ -92,6 +92,8 @@ Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunRes
     if (!tissue) return tissue.error();
     if (const auto saved = writeWholeFile(wishes.vtu, *tissue); !saved) return saved;
   }
+  if (!wishes.trainingTrace.empty())
+    if (const auto saved = writeWholeFile(wishes.trainingTrace, result.trainingTrace); !saved) return saved;
   return trace ? writeWholeFile(wishes.trace, trace->csv()) : Done{};
 }
 
@@ -141,6 +143,9 @@ Result<Done> run(const Wishes& wishes) {
   }
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
+  options.trainingTrace = !wishes.trainingTrace.empty();
+  if (options.trainingTrace && scene->scenario.training.tasks.empty())
+    return usageError("--training-trace is of tasks, and the scenario “" + wishes.scenario + "” has none");
   options.realtime = wishes.realtime;
   if (!wishes.device.empty() && !wishes.realtime) return usageError("--device is what a run in real time is felt with, and goes with --realtime");
   if (wishes.realtime) {
@@ -232,6 +237,8 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--trace-pairs", wishes->tracePairs,
                       "Pairs whose contact force (on the first of each) and depth the trace holds, as ID:ID,…; without it all that touch")
       ->needs(trace);
+  command->add_option("--training-trace", wishes->trainingTrace,
+                      "Write what the metrics of a training are made of as a table (CSV): tips, forces and tasks at every step");
   command->add_option("--vtu", wishes->vtu,
                       "Write displacement, strain, stress and von Mises stress of the soft parts at the end as VTK unstructured grid");
   command->add_option("--seed", wishes->seed, "Kept with recordings; nothing in this version is drawn at random");

@@ -26,6 +26,7 @@
 #include "editor/ui/SceneView.h"
 #include "editor/ui/StatusFigures.h"
 #include "editor/ui/ToolPanel.h"
+#include "editor/ui/training/TasksPanel.h"
 
 namespace glenoid {
 
@@ -179,6 +180,12 @@ void MainWindow::makeDocumentDocks() {
   };
   dock("problems", problems);
   dock("history", new HistoryPanel(m_document.undoStack()));
+  auto* tasks = new TasksPanel(m_document, m_link);
+  dock("tasks", tasks);
+  connect(tasks, &TasksPanel::tasksAppeared, m_docks.back(), [shown = m_docks.back()] {
+    shown->show();
+    shown->raise();
+  });
   m_docks[2]->raise();
 }
 
@@ -189,7 +196,7 @@ void MainWindow::retranslate() {
   m_actions.retranslate();
   const QStringList menus = {tr("&File"), tr("&Edit"), tr("&View"), tr("&Simulate"), tr("&Help")};
   for (std::size_t i = 0; i < m_menus.size(); ++i) m_menus[i]->setTitle(menus.value(static_cast<int>(i)));
-  const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools"), tr("Problems"), tr("History")};
+  const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools"), tr("Problems"), tr("History"), tr("Tasks")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
   m_author->retranslate();
   m_builtinMenu->setTitle(tr("Open a &built-in scene"));

@@ -38,7 +38,7 @@ QString starterTitle(const std::string& kind) {
   return QString::fromStdString(kind);
 }
 
-constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:palpation", "builtin:shoulder"};
+constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:palpation", "builtin:tour", "builtin:landmarks", "builtin:shoulder"};
 
 }  // namespace
 
@@ -64,6 +64,8 @@ void MainWindow::makeFileActions() {
       const QString id = QLatin1String(name);
       const QString text = id.endsWith(u"arthroscopy") ? tr("&Arthroscopy of the shoulder")
                            : id.endsWith(u"palpation") ? tr("&Palpation of the shoulder")
+                           : id.endsWith(u"tour")      ? tr("&Tour of the shoulder, with tasks")
+                           : id.endsWith(u"landmarks") ? tr("&Landmarks by palpation, with tasks")
                                                        : tr("The &shoulder alone");
       return Actions::Words{text, tr("Open a scene that ships with the program")};
     }, [this, name] {

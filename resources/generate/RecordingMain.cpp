@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// `generate_recording RESOURCES OUT.recording [arthroscopy|palpation]`: plans the input that ships with a scene from the
+/// `generate_recording RESOURCES OUT.recording [arthroscopy|palpation|tour|landmarks]`: plans the input that ships with a scene from the
 /// joint and the scenario in the folder RESOURCES. Palpation: a finger presses, strokes and circles. Arthroscopy: the
 /// probe presses biceps tendon (below its groove, where the tip does not slip off the arch), labrum, cuff and cartilage
-/// from in front while the arthroscope leans on the head from behind. Same files in, same bytes out. Exit status 0 done,
+/// from in front while the arthroscope leans on the head from behind. Tour and landmarks: somebody sure does the tasks. Same files in, same bytes out. Exit status 0 done,
 /// 1 failed, 2 usage.
 #include <cstdio>
 
 #include "resources/generate/PressPlan.h"
 #include "resources/generate/StrokePlan.h"
+#include "resources/generate/TaskPlan.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ResourcePaths.h"
@@ -44,8 +45,8 @@ int main(int argc, char** argv) {
   using namespace glenoid;
   using namespace glenoid::generate;
   const std::string scene = argc == 4 ? argv[3] : "arthroscopy";
-  if (argc < 3 || argc > 4 || (scene != "arthroscopy" && scene != "palpation")) {
-    std::fprintf(stderr, "usage: generate_recording RESOURCES OUT.recording [arthroscopy|palpation]\n");
+  if (argc < 3 || argc > 4 || (scene != "arthroscopy" && scene != "palpation" && scene != "tour" && scene != "landmarks")) {
+    std::fprintf(stderr, "usage: generate_recording RESOURCES OUT.recording [arthroscopy|palpation|tour|landmarks]\n");
     return 2;
   }
   const std::string root = argv[1];
@@ -58,7 +59,10 @@ int main(int argc, char** argv) {
   const Result<Joint> joint = loadJoint(*jointPath);
   if (!joint) return fail(joint.error());
 
-  Recording recording = scene == "palpation" ? planStrokes(*scenario, "finger", "skin") : arthroscopy(*joint, *scenario);
+  Recording recording = scene == "palpation"   ? planStrokes(*scenario, "finger", "skin")
+                        : scene == "tour"      ? planTasks(*joint, *scenario, "probe", Vec3(0.8, 0.3, 0.5).normalized(), 5e-3)
+                        : scene == "landmarks" ? planTasks(*joint, *scenario, "finger", Vec3::UnitZ(), 0.012)
+                                               : arthroscopy(*joint, *scenario);
   recording.scenario = "builtin:" + scene;
   recording.profile = "direct";
   if (const auto saved = saveRecording(recording, argv[2]); !saved) return fail(saved.error());

@@ -138,6 +138,15 @@ Scenario mirroredScenario(const Scenario& scenario) {
     tool.name = otherSideIn(tool.name);
     tool.home = mirroredTool(tool.home);
   }
+  for (Task& task : out.training.tasks) {
+    for (std::string* text : {&task.name, &task.text, &task.hint}) *text = otherSideIn(*text);
+    for (TaskPlace& place : task.places) {
+      if (place.point_W) place.point_W = mirrored(*place.point_W);
+      if (place.normal_W) place.normal_W = mirrored(*place.normal_W);
+    }
+    for (FollowKey& key : task.keys) key.displacement_W = mirrored(key.displacement_W);
+  }
+  for (ForceLimit& limit : out.training.limits) limit.name = otherSideIn(limit.name);
   for (Camera& camera : out.cameras) {
     camera.name = otherSideIn(camera.name);
     camera.eye_W = mirrored(camera.eye_W);

@@ -34,7 +34,13 @@ LiveWatch::LiveWatch(std::shared_ptr<const Model> model, std::shared_ptr<const R
       m_onPathSince(HUGE_VAL),
       m_before(noticesBefore(*m_model, m_input.get(), m_input ? inputSeconds(*m_input) : 0)),
       m_notices(std::make_shared<const std::vector<Notice>>(m_before)),
-      m_worker([this] { work(); }) {}
+      m_worker([this] { work(); }) {
+  if (m_model->scenario.training.tasks.empty()) return;
+  Result<TrainingWatch> training = TrainingWatch::make(*m_model);
+  if (!training) return;  // the scenario's check has said it
+  m_training = std::move(*training);
+  m_trainingReport = std::make_shared<const TrainingReport>(m_training->tasksSoFar());
+}
 
 LiveWatch::~LiveWatch() {
   {
@@ -52,6 +58,7 @@ std::shared_ptr<const std::vector<Notice>> LiveWatch::notices() const {
 
 void LiveWatch::look(const StepReport& step, const State& state, bool onPath) {
   judgeMarks(step, state, onPath);
+  judgeTraining(step, state);
   m_restWatch.add(step, state.time - m_model->scenario.dt, state.v);
   m_rest = {true, m_restWatch.loadsRise(), m_restWatch.speed(), m_restWatch.isSlow()};
   {
@@ -63,6 +70,19 @@ void LiveWatch::look(const StepReport& step, const State& state, bool onPath) {
     m_fresh = true;
   }
   m_wake.notify_one();
+}
+
+/// Told ten times a second, and at once when a task ends.
+void LiveWatch::judgeTraining(const StepReport& step, const State& state) {
+  if (!m_training || m_training->finished()) return;
+  const auto over = [&] {
+    return std::count_if(m_training->judges().begin(), m_training->judges().end(), [](const TaskJudge& judge) { return judge.record().ended.has_value(); });
+  };
+  const auto before = over();
+  m_training->add(step, state);
+  const long every = std::max(1L, std::lround(0.1 / m_model->scenario.dt));
+  if (over() != before || state.step % every == 0)
+    m_trainingReport = std::make_shared<const TrainingReport>(m_training->finished() ? m_training->report() : m_training->tasksSoFar());
 }
 
 void LiveWatch::judgeMarks(const StepReport& step, const State& state, bool onPath) {

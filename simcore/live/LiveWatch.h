@@ -7,6 +7,7 @@
 #include "simcore/live/MarkForces.h"
 #include "simcore/live/RestWatch.h"
 #include "simcore/live/StepWatch.h"
+#include "simcore/train/TrainingWatch.h"
 
 namespace glenoid {
 
@@ -26,6 +27,7 @@ class LiveWatch final : public StepWatch {
   void look(const StepReport& step, const State& state, bool onPath) override;
   std::shared_ptr<const std::vector<Notice>> notices() const override;
   RestState rest() const override { return m_rest; }
+  std::shared_ptr<const TrainingReport> training() const override { return m_trainingReport; }
 
  private:
   struct Seen {
@@ -33,6 +35,7 @@ class LiveWatch final : public StepWatch {
     std::vector<DentView> dents;
   };
   void judgeMarks(const StepReport& step, const State& state, bool onPath);
+  void judgeTraining(const StepReport& step, const State& state);
   void work();
   void tell();  ///< under m_mutex
 
@@ -44,6 +47,8 @@ class LiveWatch final : public StepWatch {
   MarkForces m_marks;
   RestWatch m_restWatch;
   RestState m_rest;
+  std::optional<TrainingWatch> m_training;
+  std::shared_ptr<const TrainingReport> m_trainingReport;
   std::vector<char> m_judged;  ///< by mark
   double m_onPathSince;        ///< s; infinite: they are not
 

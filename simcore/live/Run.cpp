@@ -11,6 +11,7 @@
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/RunGather.h"
 #include "simcore/live/RunWatch.h"
+#include "simcore/train/TrainingWatch.h"
 
 namespace glenoid {
 namespace {
@@ -105,6 +106,12 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   const bool stretchLaw = hasStretchLaw(options.stepper.profile, options.stepper.paper);
   if (options.checks) watch.emplace(*model, stretchLaw);
   if (options.checks && options.visualEvery > 0) visual.emplace(*model, SurfaceKind::Visual);
+  std::optional<TrainingWatch> training;
+  if (!model->scenario.training.tasks.empty()) {
+    Result<TrainingWatch> made = TrainingWatch::make(*model, options.trainingTrace);
+    if (!made) return made.error();
+    training = std::move(*made);
+  }
   std::optional<Pacer> pacer;
   if (options.realtime) pacer.emplace(dt);
 
@@ -130,6 +137,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     gather.add(step, time, state.v);
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
+    if (training) training->add(step, state);
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
     if (options.observe) options.observe(step, state, collision ? collision->lastLook() : std::span<const Penetration>());
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
@@ -171,6 +179,10 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     report.visualPenetrationMax = visual->deepest();
     report.visualPenetrationPair = visual->where();
     report.visualPenetrationEvery = options.visualEvery;
+  }
+  if (training) {
+    report.training = training->report();
+    if (options.trainingTrace) result.trainingTrace = training->csv();
   }
   report.notices = noticesBefore(*model, options.input, report.seconds);
   for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);

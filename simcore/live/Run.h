@@ -21,6 +21,7 @@ struct RunOptions {
   long steps = 0;                   ///< 1…kRunStepsMax; 0: from `seconds`
   StepperOptions stepper;
   const Recording* input = nullptr; ///< hands over time; null: they stay at home
+  bool trainingTrace = false;       ///< answer the table that the training's metrics are made of
   bool record = false;              ///< answer a recording that `replay --check` can repeat
   double timeLimit = 0;             ///< s of the clock: a run that takes longer ends after the step at hand, with a notice TimeUp; 0: none
   bool realtime = false;            ///< wait for the clock; a late run catches up by a few steps, then slows down
@@ -43,6 +44,7 @@ struct RunResult {
   State state;                         ///< at the end
   std::vector<ContactView> contacts;   ///< of the last step, for a picture
   std::vector<DentView> dents;         ///< likewise
+  std::string trainingTrace;           ///< TrainingWatch::csv(), when asked for and the scenario has tasks
   std::optional<Recording> recording;  ///< when asked for; its `scenario` likewise
 };
 

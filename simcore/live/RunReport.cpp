@@ -185,6 +185,10 @@ std::string toJson(const RunReport& r, const std::function<std::string(const Not
        {"penetrationPair", r.penetrationPair}, {"visualPenetrationMax", orNull(r.visualPenetrationMax)},
        {"visualPenetrationPair", r.visualPenetrationPair}, {"visualPenetrationEvery", r.visualPenetrationEvery}, {"effects", listOf(r.effects)}, {"marks", listOf(r.marks)}, {"notices", notices}});
   if (r.paper) json.set("paper", toJson(*r.paper));
+  if (r.training) {
+    json.set("tasks", tasksJson(*r.training));
+    json.set("training", trainingJson(*r.training));
+  }
   if (r.pace) {
     json.set("pace", object({{"wallSeconds", r.pace->wallSeconds}, {"lateSteps", r.pace->lateSteps},
                              {"latenessMaxMs", r.pace->latenessMaxMs}, {"slowedSeconds", r.pace->slowedSeconds}}));

@@ -8,6 +8,7 @@
 
 #include "simcore/live/Notice.h"
 #include "simcore/step/Stepper.h"
+#include "simcore/train/TrainingReport.h"
 
 namespace glenoid {
 
@@ -146,6 +147,7 @@ struct RunReport {
   std::vector<MarkReport> marks;
   std::vector<Notice> notices;               ///< what must be said before any figure is believed
   std::optional<PaperSummary> paper;         ///< `paper` profile only
+  std::optional<TrainingReport> training;    ///< of a scenario that has tasks
   std::optional<PaceReport> pace;            ///< `--realtime` only
   std::optional<HapticReport> haptic;        ///< likewise
   std::string hapticReason;                  ///< why there is none: a word of RunHaptics

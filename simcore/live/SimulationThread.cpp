@@ -200,6 +200,7 @@ struct SimulationThread::Run {
     out.rejectedSteps = rejectedSteps;
     out.notices = watch ? watch->notices() : nullptr;
     out.rest = watch ? watch->rest() : RestState{};
+    out.training = watch ? watch->training() : nullptr;
     snapshots.publish();
   }
 };

@@ -34,6 +34,7 @@ struct Snapshot {
   /// list when something is new.
   std::shared_ptr<const std::vector<Notice>> notices;
   RestState rest;            ///< nothing known without a watch
+  std::shared_ptr<const TrainingReport> training;  ///< StepWatch::training; null without one
 };
 
 /// One step of a run; what makes it is chosen by a StepMaker. The report is valid until the next call.

@@ -7,6 +7,7 @@
 #include "simcore/live/Notice.h"
 #include "simcore/scene/Recording.h"
 #include "simcore/step/Stepper.h"
+#include "simcore/train/TrainingReport.h"
 
 namespace glenoid {
 
@@ -29,6 +30,10 @@ class StepWatch {
   /// What is known by now, at most one notice of a kind for the same subjects. Never null; another list when something is new.
   /// From any thread.
   virtual std::shared_ptr<const std::vector<Notice>> notices() const = 0;
+
+  /// How the scenario's training goes; null without one. Without metrics until no task is left. Another one when something is new.
+  /// In the thread that steps.
+  virtual std::shared_ptr<const TrainingReport> training() const { return nullptr; }
 
   /// In the thread that steps.
   virtual RestState rest() const { return {}; }

@@ -6,6 +6,7 @@
 
 #include "simcore/base/Math.h"
 #include "simcore/scene/Elements.h"
+#include "simcore/scene/training/Training.h"
 
 namespace glenoid {
 
@@ -117,6 +118,7 @@ struct Tool {
   double angularStiffness = 2;       ///< N·m/rad
   double dampingRatio = 1.0;         ///< of the coupling against the tool's mass, 1 = critical
   double forceMax = 10;              ///< N, the coupling's pull is clamped here
+  double lens = 0;                   ///< rad, arthroscope: how far its view is turned from −Z toward +X
   double friction = 0.1;             ///< Coulomb coefficient of this side; a pair uses the geometric mean
   Pose home;                         ///< hand pose at the start, W
   std::vector<std::string> perforates;  ///< parts that the shaft passes through without contact
@@ -154,6 +156,7 @@ struct Scenario {
   /// named, all soft parts that move may; with `auto` those named here.
   std::vector<std::string> selfContactParts;
   std::vector<Camera> cameras;       ///< first: default
+  Training training;                 ///< what is to be done; without tasks nothing is
   std::string input;                 ///< shipped recording, path relative to the file or "builtin:NAME"; may be empty
   unsigned seed = 1;
 };

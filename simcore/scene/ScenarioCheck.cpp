@@ -6,6 +6,7 @@
 #include "simcore/scene/ScenarioFile.h"
 #include "simcore/scene/ScenarioJson.h"
 #include "simcore/scene/SceneJson.h"
+#include "simcore/scene/training/TrainingCheck.h"
 
 namespace glenoid {
 namespace {
@@ -82,7 +83,7 @@ Result<Done> checkOwnValues(const Scenario& scenario, const std::string& file) {
                    {"a camera that looks nowhere or along its own up direction"},
                    {}};
   }
-  return Done{};
+  return checkTraining(scenario, file);
 }
 
 bool isFixed(const Scenario& scenario, const std::string& part) {
@@ -172,7 +173,7 @@ Result<Done> checkScenario(const Scenario& scenario, const Joint& joint, const P
         return known;
     }
   }
-  return Done{};
+  return checkTraining(scenario, joint, place);
 }
 
 }  // namespace glenoid

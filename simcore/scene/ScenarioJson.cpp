@@ -4,6 +4,7 @@
 #include "simcore/file/Schema.h"
 #include "simcore/scene/SceneJson.h"
 #include "simcore/scene/SceneWords.h"
+#include "simcore/scene/training/TrainingJson.h"
 
 namespace glenoid::scene_json {
 namespace {
@@ -128,6 +129,7 @@ JsonValue fromTool(const Tool& tool) {
   json.set("dampingRatio", tool.dampingRatio);
   json.set("forceMax", tool.forceMax);
   json.set("friction", tool.friction);
+  if (tool.lens != 0) json.set("lens", tool.lens);
   json.set("home", fromPose(tool.home));
   json.set("perforates", fromTexts(tool.perforates));
   if (!tool.link.empty()) {
@@ -150,6 +152,7 @@ Tool toTool(const JsonValue& json) {
   tool.dampingRatio = json["dampingRatio"].number(tool.dampingRatio);
   tool.forceMax = json["forceMax"].number(tool.forceMax);
   tool.friction = json["friction"].number(tool.friction);
+  tool.lens = json["lens"].number(tool.lens);
   tool.home = toPose(json["home"]);
   tool.perforates = toTexts(json["perforates"]);
   tool.link = json["link"].text();
@@ -208,6 +211,7 @@ JsonValue fromScenario(const Scenario& scenario) {
   json.set("effects", std::move(effects));
   if (!scenario.selfContactParts.empty()) json.set("selfContactParts", fromTexts(scenario.selfContactParts));
   json.set("cameras", listOf(scenario.cameras, fromCamera));
+  if (scenario.training != Training{}) json.set("training", fromTraining(scenario.training));
   json.set("input", scenario.input);
   json.set("seed", scenario.seed);
   return json;
@@ -241,6 +245,7 @@ Scenario toScenario(const JsonValue& json) {
   }
   scenario.selfContactParts = toTexts(json["selfContactParts"]);
   scenario.cameras = vectorOf(json["cameras"], toCamera);
+  scenario.training = toTraining(json["training"]);
   scenario.input = json["input"].text();
   scenario.seed = static_cast<unsigned>(json["seed"].integer(scenario.seed));
   return scenario;

@@ -139,7 +139,7 @@ std::string folderOf(const std::string& path) {
 const std::vector<std::string>& simcoreOrder() {
   static const std::vector<std::string> order = {"base", "linear", "mesh", "shape", "spatial", "file", "import", "repair", "embed",
                                                  "scene", "starter", "fem", "body", "tool", "coupling", "collide", "contact", "step",
-                                                 "author", "check", "export", "reading", "haptic", "live", "train", "study"};
+                                                 "author", "check", "export", "reading", "train", "haptic", "live", "study"};
   return order;
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <QWidget>
+#include <memory>
+
+#include "editor/core/PlayLink.h"
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QTableWidget;
+
+namespace glenoid {
+
+/// What is to be done in the scene, how far it is, and at the end how it went: each task with its state, the text of the one
+/// chosen or open, a hint on demand; then score and metrics, with the formula of the one chosen. Shows what the run publishes.
+class TasksPanel : public QWidget {
+  Q_OBJECT
+ public:
+  TasksPanel(Document& document, PlayLink& link, QWidget* parent = nullptr);
+
+ signals:
+  void tasksAppeared();  ///< a scene with tasks was opened
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  const Training& training() const;
+  int shownTask() const;
+  void rebuild();
+  void refresh();
+  void refreshText();
+  void fillFigures(const TrainingReport& report);
+
+  Document& m_document;
+  PlayLink& m_link;
+  std::shared_ptr<const TrainingReport> m_report;
+  Training m_listed;      ///< what the list was made of
+  bool m_hinted = false;
+  int m_hintTask = -1;
+  QLabel* m_intro;
+  QListWidget* m_list;
+  QLabel* m_text;
+  QPushButton* m_hint;
+  QLabel* m_sentence;
+  QTableWidget* m_figures;
+  QLabel* m_formula;
+  QPushButton* m_again;
+};
+
+}  // namespace glenoid
