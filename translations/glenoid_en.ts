@@ -471,4 +471,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>glenoid::TasksPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errors</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -2950,6 +2950,18 @@
         <source>Make the joint of the other side of the body: meshes, regions, cages, landmarks, tools and cameras</source>
         <translation>Hacer la articulación del otro lado del cuerpo: mallas, regiones, jaulas, puntos de referencia, herramientas y cámaras</translation>
     </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>&amp;Tour of the shoulder, with tasks</source>
+        <translation>&amp;Recorrido del hombro, con tareas</translation>
+    </message>
+    <message>
+        <source>&amp;Landmarks by palpation, with tasks</source>
+        <translation>&amp;Puntos de referencia por palpación, con tareas</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeSentences</name>
@@ -4377,6 +4389,52 @@
     </message>
 </context>
 <context>
+    <name>glenoid::TasksPanel</name>
+    <message numerus="yes">
+        <source>%n error(s)</source>
+        <translation>
+            <numerusform>%n error</numerusform>
+            <numerusform>%n errores</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This scene has no tasks.</source>
+        <translation>Esta escena no tiene tareas.</translation>
+    </message>
+    <message>
+        <source>&amp;Hint</source>
+        <translation>&amp;Pista</translation>
+    </message>
+    <message>
+        <source>&amp;Again</source>
+        <translation>&amp;Otra vez</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Qué se midió</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valor</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 de %2 puntos</translation>
+    </message>
+    <message>
+        <source>%1 deviations from others</source>
+        <translation>a %1 desviaciones de los demás</translation>
+    </message>
+    <message>
+        <source>kept (at most %1)</source>
+        <translation>cumplido (como mucho %1)</translation>
+    </message>
+    <message>
+        <source>not kept (at most %1)</source>
+        <translation>no cumplido (como mucho %1)</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::ToolPanel</name>
     <message>
         <source>%1 N</source>
@@ -4405,6 +4463,129 @@
     <message>
         <source>Move this tool with the mouse</source>
         <translation>Mover esta herramienta con el ratón</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::TrainingSentences</name>
+    <message>
+        <source>tasks done, by their score</source>
+        <translation>tareas hechas, según su puntuación</translation>
+    </message>
+    <message>
+        <source>errors</source>
+        <translation>errores</translation>
+    </message>
+    <message>
+        <source>tasks out of order</source>
+        <translation>tareas fuera de orden</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tiempo</translation>
+    </message>
+    <message>
+        <source>length of the path</source>
+        <translation>longitud del recorrido</translation>
+    </message>
+    <message>
+        <source>economy of the path</source>
+        <translation>economía del recorrido</translation>
+    </message>
+    <message>
+        <source>jerk (smaller is smoother)</source>
+        <translation>sacudida (menor es más suave)</translation>
+    </message>
+    <message>
+        <source>mean speed</source>
+        <translation>velocidad media</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>fuerza máxima</translation>
+    </message>
+    <message>
+        <source>mean force while touching</source>
+        <translation>fuerza media al tocar</translation>
+    </message>
+    <message>
+        <source>time touching</source>
+        <translation>tiempo tocando</translation>
+    </message>
+    <message>
+        <source>time pressed too hard</source>
+        <translation>tiempo con demasiada fuerza</translation>
+    </message>
+    <message>
+        <source>times pressed too hard</source>
+        <translation>veces con demasiada fuerza</translation>
+    </message>
+    <message>
+        <source>turning of the view</source>
+        <translation>giro de la vista</translation>
+    </message>
+    <message>
+        <source>sought place in view</source>
+        <translation>lugar buscado a la vista</translation>
+    </message>
+    <message>
+        <source>distance of what was found</source>
+        <translation>distancia de lo encontrado</translation>
+    </message>
+    <message>
+        <source>depth of what was found</source>
+        <translation>profundidad de lo encontrado</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1
+Validated: %2</source>
+        <translation>%1
+Validado: %2</translation>
+    </message>
+    <message>
+        <source>%1
+Experimental: nobody has shown with this program that it tells skilled people from others.</source>
+        <translation>%1
+Experimental: nadie ha mostrado con este programa que distinga a personas expertas de otras.</translation>
+    </message>
+    <message>
+        <source>later</source>
+        <translation>después</translation>
+    </message>
+    <message>
+        <source>to do</source>
+        <translation>por hacer</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>hecha</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>perdida</translation>
+    </message>
+    <message>
+        <source>%1 of %2 tasks done</source>
+        <translation>%1 de %2 tareas hechas</translation>
+    </message>
+    <message>
+        <source>%1. %2 of 100 points: passed.</source>
+        <translation>%1. %2 de 100 puntos: superado.</translation>
+    </message>
+    <message>
+        <source>%1. %2 of 100 points: not passed.</source>
+        <translation>%1. %2 de 100 puntos: no superado.</translation>
     </message>
 </context>
 </TS>

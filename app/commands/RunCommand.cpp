@@ -198,7 +198,7 @@ Result<Done> run(const Wishes& wishes) {
 void addRunCommand(CLI::App& app, int& status) {
   auto wishes = std::make_shared<Wishes>();
   CLI::App* command = app.add_subcommand("run", "Run a scenario without a window and report what happened");
-  command->add_option("SCENARIO", wishes->scenario, "A .scenario.json file, builtin:arthroscopy or builtin:palpation")
+  command->add_option("SCENARIO", wishes->scenario, "A .scenario.json file, builtin:arthroscopy, builtin:palpation, or with tasks builtin:tour or builtin:landmarks")
       ->required();
   auto* seconds = command->add_option("--seconds", wishes->seconds,
                                       "Simulated time, s; without it the length of the input, or 10")

@@ -61,8 +61,14 @@ Result<TrainingWatch> TrainingWatch::make(const Model& model, bool raw) {
 
 /// In order, the first that is not over; else all.
 void TrainingWatch::openTasks(double time) {
+  // An answer is one to one question: of several places to find one is open at a time.
+  bool asked = std::any_of(m_judges.begin(), m_judges.end(), [](const TaskJudge& judge) { return judge.task().kind == TaskKind::Find && judge.record().outcome == TaskOutcome::Open; });
   for (TaskJudge& judge : m_judges) {
-    if (judge.record().outcome == TaskOutcome::Waiting) judge.open(time);
+    const bool find = judge.task().kind == TaskKind::Find;
+    if (judge.record().outcome == TaskOutcome::Waiting && !(find && asked)) {
+      judge.open(time);
+      asked = asked || find;
+    }
     if (m_model->scenario.training.ordered && !isOver(judge)) break;
   }
   m_finished = std::all_of(m_judges.begin(), m_judges.end(), isOver);

@@ -121,9 +121,9 @@ void TasksPanel::refresh() {
     m_report = report;
     for (std::size_t i = 0; i < report->tasks.size(); ++i) {
       const TaskRecord& record = report->tasks[i].record;
-      QString row = signOf(record.outcome) + u' ' + taskName(report->tasks[i]) + u" – " + outcomeWord(record.outcome);
+      QString row = QStringLiteral("%1 %2 – %3").arg(signOf(record.outcome), taskName(report->tasks[i]), outcomeWord(record.outcome));
       if (record.outcome == TaskOutcome::Open && record.progress > 0) row += QStringLiteral(" %1 %").arg(qRound(100 * record.progress));
-      if (record.errors > 0) row += u", " + tr("%n error(s)", nullptr, record.errors);
+      if (record.errors > 0) row += QStringLiteral(", ") + tr("%n error(s)", nullptr, record.errors);
       QListWidgetItem* item = m_list->item(static_cast<int>(i));
       if (item->text() != row) item->setText(row);
     }

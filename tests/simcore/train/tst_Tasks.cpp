@@ -163,6 +163,15 @@ TEST(Find, takesStandingStillForAnAnswerAndMeasuresBesideThePush) {
   EXPECT_EQ(drawn.tasks[0].record.errors, 0);
 }
 
+TEST(Find, asksForOnePlaceAtATimeInAnyOrderOfTasks) {
+  Task left = taskAt("left", TaskKind::Find, "left"), right = taskAt("right", TaskKind::Find, "right");
+  std::vector<HandStop> both = pressAt(Vec3(-0.03, 0, 0), 2, 1), then = pressAt(Vec3(0.03, 0, 0), 2, 1);
+  both.insert(both.end(), then.begin(), then.end());
+  const auto found = after({left, right}, both);
+  EXPECT_TRUE(found.finished);
+  EXPECT_DOUBLE_EQ(*found.value("errors"), 0);
+}
+
 TEST(Pass, takesRingsInTheirOrderAndTheirDirection) {
   Task task = taskAt("pass", TaskKind::Pass, "");
   const auto ring = [](double x) {

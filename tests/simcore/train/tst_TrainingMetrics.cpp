@@ -33,7 +33,7 @@ Scenario exercise() {
   left.hold = middle.hold = 0.3;
   scenario.training.tasks = {look, left, middle, press, trace};
   scenario.training.limits = {{"gentle", "Gently", "slab", "", 3.5}};
-  scenario.training.form = {{"tasks", 40, 1, 0}, {"errors", 20, 0, 12}, {"finger.economy", 20, 0.8, 0}, {"finger.jerk", 20, 16, 26}};
+  scenario.training.form = {{"tasks", 30, 1, 0}, {"errors", 20, 0, 30}, {"finger.economy", 30, 0.75, 0}, {"finger.jerk", 20, 21, 26}};
   return scenario;
 }
 
@@ -154,8 +154,8 @@ TEST(TrainingMetrics, comeOutAgainFromTheRawTable) {
 
   // The form, by hand.
   const auto share = [&](double value, double best, double worst) { return std::min(1.0, std::max(0.0, (worst - value) / (worst - best))); };
-  const double score = 40 * share(*report.value("tasks"), 1, 0) + 20 * share(*report.value("errors"), 0, 12) +
-                       20 * share(*report.value("finger.economy"), 0.8, 0) + 20 * share(*report.value("finger.jerk"), 16, 26);
+  const double score = 30 * share(*report.value("tasks"), 1, 0) + 20 * share(*report.value("errors"), 0, 30) +
+                       30 * share(*report.value("finger.economy"), 0.75, 0) + 20 * share(*report.value("finger.jerk"), 21, 26);
   EXPECT_NEAR(report.score, score, 1e-9);
 }
 
@@ -182,7 +182,6 @@ TEST(TrainingMetrics, sureHandsDoAllOfIt) {
   for (const TaskResult& task : report.training->tasks) EXPECT_EQ(task.record.outcome, TaskOutcome::Done) << task.id;
   EXPECT_DOUBLE_EQ(*report.training->value("errors"), 0);
   EXPECT_GT(report.training->score, 90);
-  for (const Metric& m : report.training->metrics) std::printf("%s %g\n", m.name.c_str(), m.value.value_or(-1));
 }
 
 std::vector<double> ranks(const std::vector<double>& values) {
@@ -199,18 +198,20 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
   return ab / std::sqrt(aa * bb);
 }
 
-/// Spearman's rank correlation of less disturbance and score over twenty seeds, each hand less sure than the one before.
+/// Spearman's rank correlation of less disturbance and score over twenty seeds, each hand less sure than the one before, from
+/// steady to a root mean square of 1.1 mm of tremor and as much of wandering in each direction.
 TEST(TrainingMetrics, growingNoiseScoresWorse) {
   const Scenario scenario = exercise();
   const Recording input = sure(scenario);
   std::vector<double> calm, score;
   for (int i = 0; i < 20; ++i) {
-    const double size = 2e-4 * i;
+    const double size = 6e-5 * i;
     calm.push_back(-size);
-    { const auto r = trainingRun(scenario, disturbedHands(input, {size, size, static_cast<std::uint64_t>(100 + i)})).report.training.value(); std::printf("%g: %g tasks %g errors %g eco %g jerk %g\n", size, r.score, *r.value("tasks"), *r.value("errors"), r.value("finger.economy").value_or(-1), r.value("finger.jerk").value_or(-1)); }
     score.push_back(trainingRun(scenario, disturbedHands(input, {size, size, static_cast<std::uint64_t>(100 + i)})).report.training.value_or(TrainingReport{}).score);
   }
-  EXPECT_GE(correlation(ranks(calm), ranks(score)), 0.95);
+  std::string all;
+  for (const double value : score) all += std::to_string(value) + " ";
+  EXPECT_GE(correlation(ranks(calm), ranks(score)), 0.95) << all;
 }
 
 TEST(TrainingMetrics, carefulAndClumsyLieTwoDeviationsApart) {
@@ -228,8 +229,8 @@ TEST(TrainingMetrics, carefulAndClumsyLieTwoDeviationsApart) {
     for (const double value : list) squares += (value - mean) * (value - mean);
     return std::pair(mean, std::sqrt(squares / (n - 1)));
   };
-  const auto [careful, sdCareful] = moments(scores(3e-4, 1000));
-  const auto [clumsy, sdClumsy] = moments(scores(2.5e-3, 2000));
+  const auto [careful, sdCareful] = moments(scores(2e-4, 1000));
+  const auto [clumsy, sdClumsy] = moments(scores(1.2e-3, 2000));
   EXPECT_GE(careful - clumsy, 2 * std::max(sdCareful, sdClumsy)) << careful << " ± " << sdCareful << ", " << clumsy << " ± " << sdClumsy;
 }
 

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A trainee's way through tasks in the window: what is to be done, a hint, how it went, again.
+#include <QListWidget>
+#include <QPushButton>
+#include <QTableWidget>
+
+#include "editor/core/TrainingSentences.h"
+#include "tests/editor/ui/GuiTest.h"
+
+namespace glenoid {
+namespace {
+
+/// The finger goes down on the block by itself after half a second.
+class TasksPanelTest : public GuiTest {
+ protected:
+  Result<Scene> load(const std::string& path) override {
+    Scene scene = blockScene();
+    if (path != "tasks") return scene;
+    Task touch;
+    touch.id = "touch";
+    touch.name = "Touch the block";
+    touch.text = "Press it gently.";
+    touch.hint = "It is under the finger.";
+    touch.tool = "finger";
+    touch.places = {{"block", "", "", {}, {}}};
+    touch.hold = 0.2;
+    Task wait = touch;
+    wait.id = "plate";
+    wait.name = "Touch the plate";
+    wait.places[0].part = "plate";
+    wait.timeMax = 3;
+    scene.scenario.training.text = "Two things to touch.";
+    scene.scenario.training.tasks = {touch, wait};
+    scene.scenario.training.ordered = true;
+    scene.scenario.training.form = {{"tasks", 100, 1, 0}};
+    scene.scenario.training.passScore = 40;
+    Recording input;
+    const Pose home = scene.scenario.tools[0].home;
+    Pose down = home;
+    down.p_WB.y() -= 0.025;
+    input.tracks = {{"finger", {{0, home}, {0.5, home}, {1.0, down}}}};
+    scene.input = std::make_shared<const Recording>(input);
+    return scene;
+  }
+  QString row(int i) { return child<QListWidget>("taskList")->item(i)->text(); }
+};
+
+TEST_F(TasksPanelTest, leadsThroughAndSaysHowItWent) {
+  window->openScene(QStringLiteral("tasks"));
+  auto* list = child<QListWidget>("taskList");
+  ASSERT_TRUE(until([&] { return list->count() == 2 && link.snapshot().training; }));
+  ASSERT_TRUE(until([&] { return list->isVisible(); })) << "a scene with tasks shows them";
+  EXPECT_EQ(child<QLabel>("trainingText")->text(), QStringLiteral("Two things to touch."));
+  ASSERT_TRUE(until([&] { return row(0).contains(QStringLiteral("to do")) && row(1).contains(QStringLiteral("later")); })) << row(0).toStdString();
+  EXPECT_EQ(child<QLabel>("taskText")->text(), QStringLiteral("Press it gently."));
+  QTest::mouseClick(child<QPushButton>("taskHint"), Qt::LeftButton);
+  EXPECT_TRUE(child<QLabel>("taskText")->text().contains(QStringLiteral("under the finger")));
+  EXPECT_FALSE(child<QTableWidget>("trainingFigures")->isVisible());
+
+  link.play();
+  ASSERT_TRUE(until([&] { return row(0).contains(QStringLiteral("done")); })) << row(0).toStdString();
+  ASSERT_TRUE(until([&] { return row(1).contains(QStringLiteral("missed")); })) << row(1).toStdString();
+  auto* figures = child<QTableWidget>("trainingFigures");
+  ASSERT_TRUE(until([&] { return figures->isVisible() && figures->rowCount() > 5; }));
+  EXPECT_EQ(child<QLabel>("trainingResult")->text(), QStringLiteral("1 of 2 tasks done. 50 of 100 points: passed."));
+  link.pause();
+  // A figure shows its formula when it is chosen.
+  int path = -1;
+  for (int i = 0; i < figures->rowCount(); ++i)
+    if (figures->item(i, 0)->text().contains(QStringLiteral("length of the path"))) path = i;
+  ASSERT_GE(path, 0);
+  figures->setCurrentCell(path, 0);
+  EXPECT_TRUE(child<QLabel>("metricFormula")->text().contains(QStringLiteral("Σ")));
+  EXPECT_TRUE(child<QLabel>("metricFormula")->text().contains(QStringLiteral("Experimental")));
+
+  QTest::mouseClick(child<QPushButton>("trainAgain"), Qt::LeftButton);
+  EXPECT_TRUE(until([&] { return row(0).contains(QStringLiteral("to do")); }));
+  EXPECT_TRUE(until([&] { return !figures->isVisible(); }));
+  link.pause();
+}
+
+TEST_F(TasksPanelTest, aSceneWithoutTasksSaysSo) {
+  EXPECT_FALSE(child<QListWidget>("taskList")->isVisible());
+  EXPECT_TRUE(child<QLabel>("trainingText")->text().contains(QStringLiteral("no tasks")));
+}
+
+TEST_F(TasksPanelTest, theStateIsSaidInEveryLanguage) {
+  window->openScene(QStringLiteral("tasks"));
+  ASSERT_TRUE(until([&] { return child<QListWidget>("taskList")->count() == 2 && link.snapshot().training; }));
+  ASSERT_TRUE(until([&] { return row(0).contains(QStringLiteral("to do")); }));
+  setLanguage(QStringLiteral("es"));
+  EXPECT_TRUE(until([&] { return !row(0).contains(QStringLiteral("to do")); })) << row(0).toStdString();
+}
+
+}  // namespace
+}  // namespace glenoid
