@@ -72,6 +72,7 @@ int runProgram(int argc, char** argv) {
   addExportCommand(app, status);
   addBenchCommand(app, status);
   addStudyCommand(app, status);
+  addRecordsCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy, builtin:palpation, builtin:tour or builtin:landmarks; JOINT a folder, builtin:shoulder or\n"
              "builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");

@@ -9,21 +9,24 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/Outcome.h"
 #include "app/commands/Picture.h"
+#include "app/records/RunRecorder.h"
 #include "editor/core/NoticeSentences.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
 #include "simcore/haptic/DeviceProfile.h"
+#include "simcore/live/BuildId.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/Run.h"
 #include "simcore/reading/Readings.h"
 #include "simcore/reading/Tissue.h"
 #include "simcore/reading/Trace.h"
+#include "simcore/train/TrainingWatch.h"
 
 namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trainingTrace, trace, traceParts, tracePairs;
+  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trainingTrace, trainee, records, trace, traceParts, tracePairs;
   double seconds = 0, dt = 0, compare = 10;
   long steps = 0;
   int threads = 1, every = 1;
@@ -144,6 +147,9 @@ Result<Done> run(const Wishes& wishes) {
   options.input = *input ? &**input : nullptr;
   options.record = !wishes.record.empty();
   options.trainingTrace = !wishes.trainingTrace.empty();
+  if (!wishes.records.empty() && wishes.trainee.empty()) return usageError("--records is where a run is kept for somebody, and goes with --trainee NAME");
+  if (!wishes.trainee.empty() && scene->scenario.training.tasks.empty())
+    return usageError("--trainee keeps how a training went, and the scenario “" + wishes.scenario + "” has no tasks");
   if (options.trainingTrace && scene->scenario.training.tasks.empty())
     return usageError("--training-trace is of tasks, and the scenario “" + wishes.scenario + "” has none");
   options.realtime = wishes.realtime;
@@ -165,6 +171,15 @@ Result<Done> run(const Wishes& wishes) {
     comparing->show(fraction);
     return true;
   };
+  std::unique_ptr<RunRecorder> recorder;
+  if (!wishes.trainee.empty()) {
+    auto begun = RunRecorder::begin({wishes.records, wishes.trainee, wishes.scenario, buildId(), (*model)->jointHash});
+    if (!begun) return begun.error();
+    recorder = std::move(*begun);
+    options.observeTraining = [&recorder](const TrainingWatch& training, double time) {
+      if (recorder->isDue()) recorder->tell(time, training.tasksSoFar());
+    };
+  }
   Result<RunResult> result = runScenario(*model, options);
   comparing.reset();
   if (!result) return result.error();
@@ -172,6 +187,8 @@ Result<Done> run(const Wishes& wishes) {
   const bool stretchLaw = hasStretchLaw(scene->scenario.profile, options.stepper.paper);
   if (result->recording) result->recording->scenario = wishes.scenario;
 
+  if (recorder)
+    if (const auto kept = recorder->finish(result->report); !kept) return kept;
   if (result->recording)
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
@@ -237,6 +254,8 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--trace-pairs", wishes->tracePairs,
                       "Pairs whose contact force (on the first of each) and depth the trace holds, as ID:ID,…; without it all that touch")
       ->needs(trace);
+  command->add_option("--trainee", wishes->trainee, "Keep the run in the records for this person");
+  command->add_option("--records", wishes->records, "With --trainee: a file, or postgresql://USER@HOST/DATABASE; without it the user's own file");
   command->add_option("--training-trace", wishes->trainingTrace,
                       "Write what the metrics of a training are made of as a table (CSV): tips, forces and tasks at every step");
   command->add_option("--vtu", wishes->vtu,

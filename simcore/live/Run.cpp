@@ -137,7 +137,10 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     gather.add(step, time, state.v);
     if (collision) collision->look(state.q, step.dents, state.time, state.step);
     if (watch) watch->look(state);
-    if (training) training->add(step, state);
+    if (training) {
+      training->add(step, state);
+      if (options.observeTraining) options.observeTraining(*training, state.time);
+    }
     if (visual && (s + 1) % options.visualEvery == 0) visual->look(state.q, step.dents);
     if (options.observe) options.observe(step, state, collision ? collision->lastLook() : std::span<const Penetration>());
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;

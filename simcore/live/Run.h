@@ -15,6 +15,8 @@
 
 namespace glenoid {
 
+class TrainingWatch;
+
 /// How a scenario is run from its start without anybody at the tools.
 struct RunOptions {
   double seconds = 0;               ///< s of simulated time, rounded to whole steps; used when steps is 0
@@ -32,6 +34,8 @@ struct RunOptions {
   /// After every step, outside its time; for traces. `depths`: how deep each pair of the model lies, as the report's
   /// penetration is measured; empty without checks.
   std::function<void(const StepReport& step, const State& state, std::span<const Penetration> depths)> observe;
+  /// Likewise, of a scenario with tasks.
+  std::function<void(const TrainingWatch& training, double time)> observeTraining;
   std::function<bool(double fraction)> progress;  ///< after every step, 0…1; false cancels
   std::function<bool(double fraction)> compareProgress;  ///< of the comparison that follows a run that was felt; false ends that
 };
