@@ -9,8 +9,8 @@ std::vector<QStringList> recordMigrations(bool postgres) {
   const QString real = postgres ? QStringLiteral("double precision") : QStringLiteral("real");
   return {
       {QStringLiteral("CREATE TABLE person (id %1, name text NOT NULL UNIQUE)").arg(id),
-       QStringLiteral("CREATE TABLE run (id %1, person bigint NOT NULL REFERENCES person(id) ON DELETE CASCADE, scenario text NOT NULL, build text NOT NULL,"
-                      " joint_hash text NOT NULL, begun %2 NOT NULL, ended %2, seconds %3 NOT NULL DEFAULT 0, score %3, passed boolean, state_hash text, report text)")
+       QStringLiteral("CREATE TABLE run (id %1, ticket text NOT NULL UNIQUE, person bigint NOT NULL REFERENCES person(id) ON DELETE CASCADE, scenario text NOT NULL, build text NOT NULL,"
+                      " joint_hash text NOT NULL, begun %2 NOT NULL, seen %2 NOT NULL, ended %2, seconds %3 NOT NULL DEFAULT 0, score %3, passed boolean, state_hash text, report text)")
            .arg(id, time, real),
        QStringLiteral("CREATE INDEX run_of_person ON run(person)"),
        QStringLiteral("CREATE TABLE task (run bigint NOT NULL REFERENCES run(id) ON DELETE CASCADE, place integer NOT NULL, name text NOT NULL, outcome text NOT NULL,"

@@ -10,6 +10,7 @@
 #include <QThread>
 #include <QUrl>
 #include <QUrlQuery>
+#include <QUuid>
 #include <QVariant>
 #include <atomic>
 #include <chrono>
@@ -24,6 +25,11 @@ namespace {
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
 QString now() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs); }
+
+/// An instant, from whichever type the driver gives.
+std::string isoTime(const QVariant& value) {
+  return (value.typeId() == QMetaType::QDateTime ? value.toDateTime().toUTC().toString(Qt::ISODateWithMs) : value.toString()).toStdString();
+}
 
 /// NaN and infinity have no place in a table.
 QVariant numberOrNull(const std::optional<double>& value) { return value && std::isfinite(*value) ? QVariant(*value) : QVariant(QMetaType::fromType<double>()); }
@@ -119,7 +125,10 @@ Result<Done> RecordStore::connect() {
   if (!database.open())
     return badPlace(m_where, "they cannot be opened: " + inOneLine(database.lastError().text()).toStdString());
   QSqlQuery query(database);
-  if (m_postgres) return Done{};
+  if (m_postgres) {  // tables that are there already are no news
+    if (!query.exec(QStringLiteral("SET client_min_messages = warning"))) return failed(query);
+    return Done{};
+  }
   // Another process may write; what was acknowledged is on disk.
   for (const char* pragma : {"PRAGMA busy_timeout = 10000", "PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"})
     if (!query.exec(QString::fromLatin1(pragma))) return failed(query);
@@ -183,11 +192,15 @@ Result<Done> RecordStore::write(const std::function<bool(QSqlQuery&)>& statement
 
 Result<long long> RecordStore::begin(const std::string& person, const std::string& scenario, const std::string& build, const std::string& jointHash) {
   long long id = 0;
+  // A commit whose answer was lost is found again by its ticket.
+  const QString begun = now(), ticket = QUuid::createUuid().toString(QUuid::WithoutBraces);
   const auto done = write([&](QSqlQuery& query) {
     if (!run(query, QStringLiteral("INSERT INTO person (name) VALUES (?) ON CONFLICT (name) DO NOTHING"), {words(person)})) return false;
-    if (!run(query, QStringLiteral("INSERT INTO run (person, scenario, build, joint_hash, begun) SELECT id, ?, ?, ?, ? FROM person WHERE name = ? RETURNING id"),
-             {words(scenario), words(build), words(jointHash), now(), words(person)}) ||
-        !query.next())
+    if (!run(query,
+             QStringLiteral("INSERT INTO run (ticket, person, scenario, build, joint_hash, begun, seen) SELECT ?, id, ?, ?, ?, ?, ? FROM person WHERE name = ?"
+                            " ON CONFLICT (ticket) DO NOTHING"),
+             {ticket, words(scenario), words(build), words(jointHash), begun, begun, words(person)}) ||
+        !run(query, QStringLiteral("SELECT id FROM run WHERE ticket = ?"), {ticket}) || !query.next())
       return false;
     id = query.value(0).toLongLong();
     query.finish();
@@ -199,7 +212,7 @@ Result<long long> RecordStore::begin(const std::string& person, const std::strin
 
 Result<Done> RecordStore::progress(long long run, double seconds, const TrainingReport& training) {
   return write([&](QSqlQuery& query) {
-    return glenoid::run(query, QStringLiteral("UPDATE run SET seconds = ? WHERE id = ?"), {seconds, run}) && writeTasks(query, run, training);
+    return glenoid::run(query, QStringLiteral("UPDATE run SET seconds = ?, seen = ? WHERE id = ?"), {seconds, now(), run}) && writeTasks(query, run, training);
   });
 }
 
@@ -207,9 +220,10 @@ Result<Done> RecordStore::finish(long long run, const RunReport& report) {
   const TrainingReport training = report.training.value_or(TrainingReport{});
   const QVariant score = numberOrNull(report.training ? std::optional(training.score) : std::nullopt);
   bool there = true;
+  const QString end = now();
   const auto done = write([&](QSqlQuery& query) {
-    if (!glenoid::run(query, QStringLiteral("UPDATE run SET ended = ?, seconds = ?, score = ?, passed = ?, state_hash = ?, report = ? WHERE id = ?"),
-                      {now(), report.seconds, score, training.passed, words(report.stateHash), words(toJson(report)), run}))
+    if (!glenoid::run(query, QStringLiteral("UPDATE run SET ended = ?, seen = ?, seconds = ?, score = ?, passed = ?, state_hash = ?, report = ? WHERE id = ?"),
+                      {end, end, report.seconds, score, training.passed, words(report.stateHash), words(toJson(report)), run}))
       return false;
     there = query.numRowsAffected() == 1;
     if (!writeTasks(query, run, training) || !glenoid::run(query, QStringLiteral("DELETE FROM metric WHERE run = ?"), {run})) return false;
@@ -246,7 +260,7 @@ Result<std::vector<RecordedRun>> RecordStore::list(const std::string& person) {
     runs.clear();
     const QString which = person.empty() ? QString() : QStringLiteral(" WHERE person.name = ?");
     if (!run(query,
-             QStringLiteral("SELECT run.id, person.name, run.scenario, run.begun, run.seconds, run.ended, run.score, run.passed,"
+             QStringLiteral("SELECT run.id, person.name, run.scenario, run.begun, run.seen, run.seconds, run.ended, run.score, run.passed,"
                             " (SELECT count(*) FROM task WHERE task.run = run.id AND task.outcome = 'done'), (SELECT count(*) FROM task WHERE task.run = run.id)"
                             " FROM run JOIN person ON person.id = run.person%1 ORDER BY run.begun DESC, run.id DESC")
                  .arg(which),
@@ -257,14 +271,14 @@ Result<std::vector<RecordedRun>> RecordStore::list(const std::string& person) {
       entry.id = query.value(0).toLongLong();
       entry.person = query.value(1).toString().toStdString();
       entry.scenario = query.value(2).toString().toStdString();
-      const QVariant begun = query.value(3);
-      entry.begun = (begun.typeId() == QMetaType::QDateTime ? begun.toDateTime().toUTC().toString(Qt::ISODateWithMs) : begun.toString()).toStdString();
-      entry.seconds = query.value(4).toDouble();
-      entry.ended = !query.value(5).isNull();
-      if (!query.value(6).isNull()) entry.score = query.value(6).toDouble();
-      entry.passed = query.value(7).toBool();
-      entry.done = query.value(8).toInt();
-      entry.tasks = query.value(9).toInt();
+      entry.begun = isoTime(query.value(3));
+      entry.seen = isoTime(query.value(4));
+      entry.seconds = query.value(5).toDouble();
+      entry.ended = !query.value(6).isNull();
+      if (!query.value(7).isNull()) entry.score = query.value(7).toDouble();
+      entry.passed = query.value(8).toBool();
+      entry.done = query.value(9).toInt();
+      entry.tasks = query.value(10).toInt();
       runs.push_back(std::move(entry));
     }
     query.finish();

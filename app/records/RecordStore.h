@@ -17,7 +17,7 @@ namespace glenoid {
 struct RecordedRun {
   long long id = 0;
   std::string person, scenario;
-  std::string begun;                 ///< ISO 8601, UTC
+  std::string begun, seen;           ///< ISO 8601, UTC: when it began, and when it was last written of
   double seconds = 0;                ///< s, simulated so far
   bool ended = false;                ///< false: still going on, or killed
   std::optional<double> score;       ///< of 100; of a run that ended

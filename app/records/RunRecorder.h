@@ -11,12 +11,12 @@
 
 namespace glenoid {
 
-/// Keeps a run in the records while it goes on: a thread of its own writes how far it is, twice a second by the clock, so that
+/// Keeps a run in the records while it goes on: a thread of its own writes how far it is, three times a second by the clock, so that
 /// a server that is slow or restarts holds up nothing and a program that is killed loses less than a second. Made, fed and
 /// finished in one thread.
 class RunRecorder {
  public:
-  static constexpr double kEvery = 0.5;  ///< s of the clock between two writes
+  static constexpr double kEvery = 0.3;  ///< s of the clock between two writes
 
   struct Who {
     std::string place, person, scenario, build, jointHash;
