@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/StudioScene.h"
+#include "app/WindowRecords.h"
 #include "editor/core/Autosave.h"
 #include "editor/core/Sentences.h"
 #include "editor/ui/Language.h"
@@ -54,6 +55,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   });
   window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   window.restoreState(settings.value(QStringLiteral("state")).toByteArray());
+  WindowRecords records(document, link, window.tasks(), options.records);
   Autosave autosave(document, AutosaveSession::defaultRoot());
   QObject::connect(&autosave, &Autosave::failed, &window, [&window](const Error& error) { window.showProblem(sentenceOf(error)); });
   window.show();
@@ -66,7 +68,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   return status;
 }
 
-int runStudio(int argc, char** argv, const std::string& file) {
+int runStudio(int argc, char** argv, const StudioOptions& options) {
   if (!displayIsThere()) {
     const Error error{Fault::NoGraphics, {}, {}, "neither DISPLAY nor WAYLAND_DISPLAY is set"};
     std::fprintf(stderr, "%s\n", sentenceOf(error).toUtf8().constData());
@@ -74,7 +76,7 @@ int runStudio(int argc, char** argv, const std::string& file) {
   }
   prepareGraphics();
   QApplication application(argc, argv);
-  return runStudio(application, {file});
+  return runStudio(application, options);
 }
 
 }  // namespace glenoid

@@ -55,7 +55,7 @@ std::string oneLine(std::string words) {
 
 int runProgram(int argc, char** argv) {
   int status = kDone;
-  std::string file;
+  std::string file, records;
   CLI::App app("Glenoid Studio: author interactive simulations of human joints and train on them.\n"
                "Without a command it opens the studio on FILE: a scenario, a joint, or builtin:arthroscopy.", "glenoid");
   app.set_version_flag("--version", [] {
@@ -63,6 +63,7 @@ int runProgram(int argc, char** argv) {
   }, "Say which version this is and stop");
   app.set_help_flag("-h,--help", "Say what can be said and stop");
   app.add_option("FILE", file, "What the studio opens");
+  app.add_option("--records", records, "Where the studio keeps trainings: a file, or postgresql://USER@HOST/DATABASE");
   app.require_subcommand(0, 1);
   addRunCommand(app, status);
   addRenderCommand(app, status);
@@ -111,7 +112,7 @@ int runProgram(int argc, char** argv) {
   if (const auto ended = parse()) return *ended;
   if (!file.empty())
     if (const auto found = findFile(file); !found) return complain(found.error());
-  return runStudio(argc, argv, file);
+  return runStudio(argc, argv, {file, records});
 }
 
 }  // namespace

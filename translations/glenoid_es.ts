@@ -4433,6 +4433,18 @@
         <source>not kept (at most %1)</source>
         <translation>no cumplido (como mucho %1)</translation>
     </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Nombre</translation>
+    </message>
+    <message>
+        <source>to keep the run for you</source>
+        <translation>para guardar el ejercicio</translation>
+    </message>
+    <message>
+        <source>My &amp;runs…</source>
+        <translation>&amp;Mis ejercicios…</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::ToolPanel</name>
@@ -4586,6 +4598,49 @@ Experimental: nadie ha mostrado con este programa que distinga a personas expert
     <message>
         <source>%1. %2 of 100 points: not passed.</source>
         <translation>%1. %2 de 100 puntos: no superado.</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::WindowRecords</name>
+    <message>
+        <source>Kept for %1.</source>
+        <translation>Guardado para %1.</translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
+        <translation>Guardando …</translation>
+    </message>
+    <message>
+        <source>Runs of %1</source>
+        <translation>Ejercicios de %1</translation>
+    </message>
+    <message>
+        <source>Nothing is kept for %1 yet.</source>
+        <translation>Todavía no hay nada guardado para %1.</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Cuándo</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Tasks</source>
+        <translation>Tareas</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Puntuación</translation>
+    </message>
+    <message>
+        <source>not ended</source>
+        <translation>sin terminar</translation>
+    </message>
+    <message>
+        <source>, passed</source>
+        <translation>, superado</translation>
     </message>
 </context>
 </TS>

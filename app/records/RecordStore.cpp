@@ -69,10 +69,11 @@ RecordStore::~RecordStore() {
 
 QSqlDatabase RecordStore::database() const { return QSqlDatabase::database(m_connection, false); }
 
-Result<std::unique_ptr<RecordStore>> RecordStore::open(const std::string& place, double patience) {
+Result<std::unique_ptr<RecordStore>> RecordStore::open(const std::string& place, double patience, std::function<bool()> goOn) {
   static std::atomic<int> count{0};
   std::unique_ptr<RecordStore> store(new RecordStore(QStringLiteral("records-%1").arg(count++)));
   store->m_patience = patience;
+  store->m_goOn = std::move(goOn);
   const QString text = words(place);
   store->m_postgres = text.startsWith(u"postgresql://") || text.startsWith(u"postgres://");
   if (store->m_postgres) {
@@ -87,6 +88,7 @@ Result<std::unique_ptr<RecordStore>> RecordStore::open(const std::string& place,
     store->m_host = url.host();
     store->m_port = url.port();
     QStringList options;
+    if (!query.hasQueryItem(QStringLiteral("connect_timeout"))) options << QStringLiteral("connect_timeout=5");
     for (const auto& [key, value] : query.queryItems(QUrl::FullyDecoded)) {
       if (key == u"host") store->m_host = value;
       else options << key + u'=' + value;
@@ -97,7 +99,7 @@ Result<std::unique_ptr<RecordStore>> RecordStore::open(const std::string& place,
     if (text.contains(u"://")) return badPlace(place, "wanted is a file or postgresql://USER@HOST/DATABASE");
     store->m_database = text;
     if (text.isEmpty()) {
-      const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+      const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/glenoid");
       if (!QDir().mkpath(folder)) return Error{Fault::FileUnwritable, {folder.toStdString(), "", "", {}}, {}, "records"};
       store->m_database = folder + QStringLiteral("/records.sqlite");
     }
@@ -184,7 +186,7 @@ Result<Done> RecordStore::write(const std::function<bool(QSqlQuery&)>& statement
     bool lost = false;
     const auto done = transaction(statements, lost);
     if (done || !lost) return done;
-    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > m_patience) return done;
+    if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() > m_patience || (m_goOn && !m_goOn())) return done;
     QThread::msleep(pause);
     (void)connect();  // prepared statements died with the connection; the next try says whether it is there again
   }

@@ -33,8 +33,9 @@ struct RecordedRun {
 class RecordStore {
  public:
   /// `place`: "" the user's own file; a path; or postgresql://[USER@]HOST[:PORT]/DATABASE[?host=FOLDER&sslmode=…] as libpq has it,
-  /// FOLDER of the server's socket. A password is for libpq's own file or PGPASSWORD, never for a place.
-  static Result<std::unique_ptr<RecordStore>> open(const std::string& place, double patience = 30);
+  /// FOLDER of the server's socket. A password is for libpq's own file or PGPASSWORD, never for a place. `goOn`: asked before each
+  /// try again.
+  static Result<std::unique_ptr<RecordStore>> open(const std::string& place, double patience = 30, std::function<bool()> goOn = {});
   ~RecordStore();
   RecordStore(const RecordStore&) = delete;
   RecordStore& operator=(const RecordStore&) = delete;
@@ -73,6 +74,7 @@ class RecordStore {
   int m_port = -1;
   bool m_postgres = false;
   double m_patience = 30;
+  std::function<bool()> m_goOn;
   std::string m_where;
 };
 

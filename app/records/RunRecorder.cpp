@@ -5,9 +5,10 @@
 
 namespace glenoid {
 
+RunRecorder::RunRecorder(const Who& who) : m_worker([this, who] { work(who); }) {}
+
 Result<std::unique_ptr<RunRecorder>> RunRecorder::begin(const Who& who) {
-  std::unique_ptr<RunRecorder> recorder(new RunRecorder);
-  recorder->m_worker = std::thread([self = recorder.get(), who] { self->work(who); });
+  auto recorder = std::make_unique<RunRecorder>(who);
   std::unique_lock lock(recorder->m_mutex);
   recorder->m_answered.wait(lock, [&] { return recorder->m_begun.has_value(); });
   if (!*recorder->m_begun) return recorder->m_begun->error();
@@ -21,7 +22,17 @@ RunRecorder::~RunRecorder() {
     m_quit = true;
   }
   m_wake.notify_one();
-  if (m_worker.joinable()) m_worker.join();
+  m_worker.join();
+}
+
+std::optional<Result<Done>> RunRecorder::begun() const {
+  const std::lock_guard lock(m_mutex);
+  return m_begun;
+}
+
+std::optional<Result<Done>> RunRecorder::finished() const {
+  const std::lock_guard lock(m_mutex);
+  return m_finished;
 }
 
 bool RunRecorder::isDue() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_told).count() >= kEvery; }
@@ -35,17 +46,24 @@ void RunRecorder::tell(double seconds, TrainingReport training) {
   m_wake.notify_one();
 }
 
-Result<Done> RunRecorder::finish(const RunReport& report) {
-  std::unique_lock lock(m_mutex);
-  m_report = &report;
+void RunRecorder::close(RunReport report) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_report = std::move(report);
+  }
   m_wake.notify_one();
+}
+
+Result<Done> RunRecorder::finish(const RunReport& report) {
+  close(report);
+  std::unique_lock lock(m_mutex);
   m_answered.wait(lock, [&] { return m_finished.has_value(); });
   return *m_finished;
 }
 
 /// A connection of Qt's belongs to the thread that made it.
 void RunRecorder::work(const Who& who) {
-  auto store = RecordStore::open(who.place);
+  auto store = RecordStore::open(who.place, 30, [this] { return !m_quit; });
   long long run = 0;
   std::optional<Error> wrong;
   if (store) {
@@ -62,11 +80,11 @@ void RunRecorder::work(const Who& who) {
   while (true) {
     m_wake.wait(lock, [&] { return m_quit || m_newest || m_report; });
     if (m_report) {
-      const RunReport& report = *m_report;  // who waits for the answer keeps it
+      const RunReport report = std::move(*m_report);
+      m_report.reset();
       lock.unlock();
       auto finished = (*store)->finish(run, report);
       lock.lock();
-      m_report = nullptr;
       m_newest.reset();
       m_finished = std::move(finished);
       m_answered.notify_one();

@@ -180,9 +180,9 @@ void MainWindow::makeDocumentDocks() {
   };
   dock("problems", problems);
   dock("history", new HistoryPanel(m_document.undoStack()));
-  auto* tasks = new TasksPanel(m_document, m_link);
-  dock("tasks", tasks);
-  connect(tasks, &TasksPanel::tasksAppeared, m_docks.back(), [shown = m_docks.back()] {
+  m_tasks = new TasksPanel(m_document, m_link);
+  dock("tasks", m_tasks);
+  connect(m_tasks, &TasksPanel::tasksAppeared, m_docks.back(), [shown = m_docks.back()] {
     shown->show();
     shown->raise();
   });

@@ -25,6 +25,7 @@ class PartTree;
 class PropertiesPanel;
 class SceneView;
 class StatusFigures;
+class TasksPanel;
 class ToolPanel;
 
 /// Makes a small joint to begin with in a new folder (`kind`: of starterKinds) and answers the path of its scenario; comes from the
@@ -54,6 +55,7 @@ class MainWindow : public QMainWindow {
   ProblemWatch& problems() { return m_problems; }
   AuthorDocks& author() { return *m_author; }
   FieldView& field() { return m_field; }
+  TasksPanel& tasks() { return *m_tasks; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
   void openScene(const QString& path);
   void showProblem(const QString& sentence);
@@ -119,6 +121,7 @@ class MainWindow : public QMainWindow {
   PartTree* m_tree = nullptr;
   LayersPanel* m_layers = nullptr;
   PropertiesPanel* m_properties = nullptr;
+  TasksPanel* m_tasks = nullptr;
   ToolPanel* m_tools = nullptr;
   StatusFigures* m_figures = nullptr;
   QLabel *m_problem = nullptr, *m_noGraphics = nullptr, *m_busy = nullptr;

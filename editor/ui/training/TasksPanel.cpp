@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
@@ -47,7 +48,11 @@ TasksPanel::TasksPanel(Document& document, PlayLink& link, QWidget* parent)
       m_sentence(wrappedLabel("trainingResult")),
       m_figures(new QTableWidget(0, 2)),
       m_formula(wrappedLabel("metricFormula")),
-      m_again(new QPushButton) {
+      m_again(new QPushButton),
+      m_trainee(new QLineEdit),
+      m_traineeLabel(new QLabel),
+      m_runs(new QPushButton),
+      m_kept(wrappedLabel("recordSentence")) {
   m_list->setObjectName(QStringLiteral("taskList"));
   m_list->setWordWrap(true);
   m_list->setTextElideMode(Qt::ElideNone);
@@ -64,13 +69,23 @@ TasksPanel::TasksPanel(Document& document, PlayLink& link, QWidget* parent)
   m_again->setObjectName(QStringLiteral("trainAgain"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
+  m_trainee->setObjectName(QStringLiteral("trainee"));
+  m_trainee->setMaxLength(200);
+  m_traineeLabel->setBuddy(m_trainee);
+  m_runs->setObjectName(QStringLiteral("ownRunsButton"));
+  auto* who = new QHBoxLayout;
+  who->addWidget(m_traineeLabel);
+  who->addWidget(m_trainee, 1);
+  who->addWidget(m_runs);
   layout->addWidget(m_intro);
+  layout->addLayout(who);
   layout->addWidget(m_list, 2);
   layout->addWidget(m_text);
   layout->addWidget(m_hint, 0, Qt::AlignLeft);
   layout->addWidget(m_sentence);
   layout->addWidget(m_figures, 3);
   layout->addWidget(m_formula);
+  layout->addWidget(m_kept);
   layout->addWidget(m_again, 0, Qt::AlignLeft);
   connect(&link, &PlayLink::snapshotChanged, this, &TasksPanel::refresh);
   connect(&document, &Document::changed, this, &TasksPanel::rebuild);
@@ -88,7 +103,17 @@ TasksPanel::TasksPanel(Document& document, PlayLink& link, QWidget* parent)
     m_link.reset();
     m_link.play();
   });
+  connect(m_runs, &QPushButton::clicked, this, &TasksPanel::runsWanted);
+  connect(m_trainee, &QLineEdit::textChanged, this, &TasksPanel::refreshText);
+  setRecordSentence({});
   rebuild();
+}
+
+QString TasksPanel::trainee() const { return m_trainee->text().trimmed(); }
+
+void TasksPanel::setRecordSentence(const QString& sentence) {
+  m_kept->setText(sentence);
+  m_kept->setVisible(!sentence.isEmpty());
 }
 
 const Training& TasksPanel::training() const { return m_document.scenario().training; }
@@ -156,6 +181,11 @@ void TasksPanel::refreshText() {
   m_formula->setVisible(finished);
   m_again->setVisible(finished);
   m_again->setText(tr("&Again"));
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_traineeLabel, m_trainee, m_runs}) widget->setVisible(any);
+  m_traineeLabel->setText(tr("&Name"));
+  m_trainee->setPlaceholderText(tr("to keep the run for you"));
+  m_runs->setText(tr("My &runs…"));
+  m_runs->setEnabled(!trainee().isEmpty());
   m_figures->setHorizontalHeaderLabels({tr("What was measured"), tr("Value")});
 }
 

@@ -6,6 +6,7 @@
 #include "editor/core/PlayLink.h"
 
 class QLabel;
+class QLineEdit;
 class QListWidget;
 class QPushButton;
 class QTableWidget;
@@ -19,7 +20,13 @@ class TasksPanel : public QWidget {
  public:
   TasksPanel(Document& document, PlayLink& link, QWidget* parent = nullptr);
 
+  /// Who does the tasks; empty: nobody says so, and nothing is kept.
+  QString trainee() const;
+  /// What became of keeping the run; comes from who keeps it.
+  void setRecordSentence(const QString& sentence);
+
  signals:
+  void runsWanted();      ///< their own runs are to be shown
   void tasksAppeared();  ///< a scene with tasks was opened
 
  protected:
@@ -47,6 +54,10 @@ class TasksPanel : public QWidget {
   QTableWidget* m_figures;
   QLabel* m_formula;
   QPushButton* m_again;
+  QLineEdit* m_trainee;
+  QLabel* m_traineeLabel;
+  QPushButton* m_runs;
+  QLabel* m_kept;
 };
 
 }  // namespace glenoid

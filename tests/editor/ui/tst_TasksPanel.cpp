@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's way through tasks in the window: what is to be done, a hint, how it went, again.
+#include <QDialog>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTimer>
 
+#include "app/WindowRecords.h"
+#include "app/records/RecordStore.h"
 #include "editor/core/TrainingSentences.h"
+#include "editor/ui/training/TasksPanel.h"
 #include "tests/editor/ui/GuiTest.h"
 
 namespace glenoid {
@@ -82,6 +89,44 @@ TEST_F(TasksPanelTest, leadsThroughAndSaysHowItWent) {
 TEST_F(TasksPanelTest, aSceneWithoutTasksSaysSo) {
   EXPECT_FALSE(child<QListWidget>("taskList")->isVisible());
   EXPECT_TRUE(child<QLabel>("trainingText")->text().contains(QStringLiteral("no tasks")));
+}
+
+/// Who says a name finds the run again, by mouse and keys alone.
+TEST_F(TasksPanelTest, aRunIsKeptForWhoSaysTheirName) {
+  QTemporaryDir folder;
+  const std::string place = folder.filePath(QStringLiteral("r.sqlite")).toStdString();
+  WindowRecords records(document, link, window->tasks(), place);
+  window->openScene(QStringLiteral("tasks"));
+  ASSERT_TRUE(until([&] { return child<QListWidget>("taskList")->count() == 2 && child<QLineEdit>("trainee")->isVisible(); }));
+  QTest::mouseClick(child<QLineEdit>("trainee"), Qt::LeftButton);
+  QTest::keyClicks(child<QLineEdit>("trainee"), QStringLiteral("Ana"));
+  link.play();
+  ASSERT_TRUE(until([&] { return child<QLabel>("recordSentence")->text() == QStringLiteral("Kept for Ana."); })) << child<QLabel>("recordSentence")->text().toStdString();
+  link.pause();
+  const auto runs = RecordStore::open(place).value()->list("Ana");
+  ASSERT_TRUE(runs && runs->size() == 1);
+  EXPECT_TRUE(runs->at(0).ended);
+  EXPECT_DOUBLE_EQ(runs->at(0).score.value_or(0), 50);
+  int rows = 0;
+  QTimer::singleShot(500, window.get(), [&] {
+    if (auto* dialog = window->findChild<QDialog*>(QStringLiteral("ownRuns"))) {
+      if (auto* table = dialog->findChild<QTableWidget*>(QStringLiteral("ownRunsTable"))) rows = table->rowCount();
+      dialog->reject();
+    }
+  });
+  QTest::mouseClick(child<QPushButton>("ownRunsButton"), Qt::LeftButton);
+  EXPECT_EQ(rows, 1);
+}
+
+TEST_F(TasksPanelTest, recordsThatCannotBeOpenedAreSaidAndTheRunGoesOn) {
+  WindowRecords records(document, link, window->tasks(), "/nonexistent/r.sqlite");
+  window->openScene(QStringLiteral("tasks"));
+  ASSERT_TRUE(until([&] { return child<QListWidget>("taskList")->count() == 2 && child<QLineEdit>("trainee")->isVisible(); }));
+  child<QLineEdit>("trainee")->setText(QStringLiteral("Ana"));
+  link.play();
+  EXPECT_TRUE(until([&] { return child<QLabel>("recordSentence")->text().contains(QStringLiteral("cannot be opened")); }));
+  EXPECT_TRUE(until([&] { return row(0).contains(QStringLiteral("done")); }));
+  link.pause();
 }
 
 TEST_F(TasksPanelTest, theStateIsSaidInEveryLanguage) {
