@@ -2962,6 +2962,30 @@
         <source>&amp;Landmarks by palpation, with tasks</source>
         <translation>&amp;Puntos de referencia por palpación, con tareas</translation>
     </message>
+    <message>
+        <source>Save this &amp;run…</source>
+        <translation>Guardar este &amp;ejercicio…</translation>
+    </message>
+    <message>
+        <source>Write what the hands did as a recording that can be replayed</source>
+        <translation>Escribir lo que hicieron las manos como una grabación que se puede reproducir</translation>
+    </message>
+    <message>
+        <source>Save this run</source>
+        <translation>Guardar este ejercicio</translation>
+    </message>
+    <message>
+        <source>Recordings (*.recording)</source>
+        <translation>Grabaciones (*.recording)</translation>
+    </message>
+    <message>
+        <source>The run belongs to a scene that is not saved. Save the scene, reset and run again; then the run can be saved.</source>
+        <translation>El ejercicio es de una escena que no está guardada. Guarde la escena, reinicie y ejecute de nuevo; entonces se podrá guardar.</translation>
+    </message>
+    <message>
+        <source>There is no run to be saved: nothing was run yet, or the scene was changed while it ran. Reset and run again.</source>
+        <translation>No hay ningún ejercicio que guardar: todavía no se ejecutó nada, o la escena cambió durante la ejecución. Reinicie y ejecute de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeSentences</name>

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "simcore/live/BuildId.h"
+#include "simcore/live/RunReport.h"
+
 namespace glenoid {
 
 PlayLink::PlayLink(Document& document, Compiler compiler, StepMaker maker, WatchMaker watchMaker, QObject* parent)
@@ -30,6 +33,19 @@ void PlayLink::look() {
   m_notices = m_told ? *m_told : std::vector<Notice>();
   std::stable_sort(m_notices.begin(), m_notices.end(), [](const Notice& a, const Notice& b) { return isGrave(a.kind) && !isGrave(b.kind); });
   emit noticesChanged();
+}
+
+void PlayLink::askForSession(std::function<void(std::optional<Recording>)> answer) {
+  m_simulation.askForSession([this, answer = std::move(answer)](std::optional<SimulationThread::Session> session) {
+    std::optional<Recording> recording;
+    if (session) {
+      recording = std::move(session->recording);
+      recording->profile = profileName(session->model->scenario.profile);
+      recording->build = buildId();
+      recording->isa = kernelIsa(false);
+    }
+    QMetaObject::invokeMethod(this, [answer, recording = std::move(recording)] { answer(recording); }, Qt::QueuedConnection);
+  });
 }
 
 void PlayLink::onChanged(const ChangeSet& changes) {

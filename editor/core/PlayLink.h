@@ -48,6 +48,9 @@ class PlayLink : public QObject {
   /// For who reads tissue: snapshots with rotations.
   void setRotationsWanted(bool wanted) { m_simulation.setRotationsWanted(wanted); }
   bool isHeld(int tool) const;
+  /// Asks for what hands did since the run began; `answer` comes later, here: a recording for `glenoid replay`, without the scenario's
+  /// name, or nothing where the scene was changed while it ran or nothing was run.
+  void askForSession(std::function<void(std::optional<Recording>)> answer);
   /// Where the hand of a tool is wanted: by who holds it, else by the run. Identity for an unknown tool.
   Pose handOf(int tool) const;
 

@@ -65,6 +65,8 @@ class MainWindow : public QMainWindow {
   void importSurfaceFiles(const QStringList& files);
   /// Where safety copies lie; offers at once what a program that was killed left there.
   void offerRecovery(const QString& autosaveRoot);
+  /// Writes what hands did in this run as a recording, which `glenoid replay` repeats to the last bit; says why where it cannot.
+  void saveRunTo(const QString& path);
   /// Writes the joint for another program in the background, then says what was lost.
   void exportJointTo(const QString& path, ExportFormat format, ExportWish wish);
 
@@ -102,6 +104,7 @@ class MainWindow : public QMainWindow {
   void askForRecovery(bool all);
   void saveAs();
   void exportPicture();
+  void saveRun();
   void exportTo();
   void showAbout();
 

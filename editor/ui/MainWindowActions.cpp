@@ -231,6 +231,9 @@ void MainWindow::makeSimulationActions() {
   m_actions.add("reset", "reset", {QKeySequence(Qt::CTRL | Qt::Key_R)},
                 [] { return Actions::Words{tr("&Reset"), tr("Put everything back to the start")}; },
                 [this] { m_link.reset(); });
+  m_actions.add("saveRun", {}, {},
+                [] { return Actions::Words{tr("Save this &run…"), tr("Write what the hands did as a recording that can be replayed")}; },
+                [this] { saveRun(); });
   auto* group = new QActionGroup(this);
   static constexpr Profile kProfiles[] = {Profile::Direct, Profile::Paper, Profile::Reference};
   std::vector<QAction*> profiles;
@@ -312,7 +315,7 @@ void MainWindow::makeMenus() {
   }
   menuBar()->addMenu(m_author->menu());
   QMenu* simulate = menu();
-  fill(simulate, {"play", "step", "reset", "-"});
+  fill(simulate, {"play", "step", "reset", "saveRun", "-"});
   m_solverMenu = simulate->addMenu(QString());
   fill(m_solverMenu, {"profile.direct", "profile.paper", "profile.reference"});
   fill(menu(), {"about"});

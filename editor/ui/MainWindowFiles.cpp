@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 
+#include "simcore/scene/RecordingFile.h"
 #include "editor/core/ExportSentences.h"
 #include "editor/ui/ExportDialog.h"
 #include "editor/core/PartMovement.h"
@@ -76,6 +77,27 @@ void MainWindow::startJointIn(const QString& folder, const std::string& kind) {
         if (mayDiscard()) openScene(QString::fromStdString(scenario));
       },
       always);
+}
+
+void MainWindow::saveRun() {
+  QString path = QFileDialog::getSaveFileName(this, tr("Save this run"), QString::fromStdString(m_document.scenario().id) + QStringLiteral(".recording"),
+                                              tr("Recordings (*.recording)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(u".recording", Qt::CaseInsensitive)) path += QStringLiteral(".recording");
+  saveRunTo(path);
+}
+
+void MainWindow::saveRunTo(const QString& path) {
+  // It names its scene by the file, so that must be what was run.
+  if (m_document.path().isEmpty() || !m_document.undoStack().isClean())
+    return showProblem(tr("The run belongs to a scene that is not saved. Save the scene, reset and run again; then the run can be saved."));
+  m_link.askForSession([this, path, scene = m_document.path()](std::optional<Recording> recording) {
+    if (!recording)
+      return showProblem(tr("There is no run to be saved: nothing was run yet, or the scene was changed while it ran. Reset and run again."));
+    recording->scenario = scene.toStdString();
+    const auto saved = saveRecording(*recording, path.toStdString());
+    showProblem(saved ? QString() : sentenceOf(saved.error()));
+  });
 }
 
 void MainWindow::exportTo() {

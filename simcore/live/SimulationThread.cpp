@@ -30,11 +30,14 @@ struct SetModel {
 struct SetRecording {
   std::shared_ptr<const Recording> recording;
 };
+struct AskForSession {
+  std::function<void(std::optional<SimulationThread::Session>)> answer;
+};
 struct WantRotations {
   bool wanted;
 };
 enum class Order { Play, Pause, StepOnce, Reset, Publish, Quit };
-using Command = std::variant<SetModel, SetRecording, WantRotations, Order>;
+using Command = std::variant<SetModel, SetRecording, AskForSession, WantRotations, Order>;
 
 }  // namespace
 
@@ -57,6 +60,7 @@ struct SimulationThread::Run {
   Inputs inputs;
   StepReport report;
   HandInput hands;
+  SessionRecorder session;
   StepClock clock;
   RateWindow window;
   bool playing = false, quit = false, rotationsWanted = false;
@@ -105,8 +109,11 @@ struct SimulationThread::Run {
       state = carry ? carryState(*model, state, *set.model) : set.model->start;
       if (carry) {
         hands.change(set.model->scenario, recording);
+        if (state.step == 0) session.restart(set.model->scenario);
+        else session.interrupt();
       } else {
         hands.restart(set.model->scenario, recording);
+        session.restart(set.model->scenario);
       }
       stepFunction = maker(set.model, set.options);
     } else {
@@ -130,6 +137,16 @@ struct SimulationThread::Run {
     watchAnew();
   }
 
+  void apply(AskForSession& ask) {
+    std::optional<Session> answer;
+    if (model && session.isWhole() && session.steps() == state.step && state.step > 0) {
+      answer.emplace(Session{session.recording(), model});
+      answer->recording.jointHash = model->jointHash;
+      answer->recording.stateHash = toHex(stateHash(state));
+    }
+    ask.answer(std::move(answer));
+  }
+
   void apply(WantRotations& want) { rotationsWanted = want.wanted; }
 
   void apply(Order order) {
@@ -147,6 +164,7 @@ struct SimulationThread::Run {
         if (!model) break;
         state = model->start;
         hands.restart(model->scenario, recording);
+        session.restart(model->scenario);
         report = {};
         rejectedSteps = 0;
         watchAnew();
@@ -166,6 +184,7 @@ struct SimulationThread::Run {
   void takeStep() {
     wishes.take();
     inputs.hands = hands.advance(wishes.front(), state.time + model->scenario.dt, model->scenario.dt);
+    session.add(state.step + 1, inputs.hands);
     const double begin = seconds(Clock::now());
     report = stepFunction(inputs, state);
     const double end = seconds(Clock::now());
@@ -227,6 +246,8 @@ void SimulationThread::stepOnce() { m_run->send(Order::StepOnce); }
 void SimulationThread::reset() { m_run->send(Order::Reset); }
 
 void SimulationThread::setRotationsWanted(bool wanted) { m_run->send(WantRotations{wanted}); }
+
+void SimulationThread::askForSession(std::function<void(std::optional<Session>)> answer) { m_run->send(AskForSession{std::move(answer)}); }
 
 void SimulationThread::setHands(const std::vector<HandWish>& wishes) {
   m_hands.back() = wishes;

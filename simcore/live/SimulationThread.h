@@ -2,8 +2,10 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "simcore/live/HandInput.h"
+#include "simcore/live/SessionRecorder.h"
 #include "simcore/live/StepWatch.h"
 #include "simcore/base/TripleBuffer.h"
 #include "simcore/step/Stepper.h"
@@ -68,6 +70,14 @@ class SimulationThread {
 
   /// Whether snapshots hold rotations, from the next one on, which comes at once. Off at first: they are a copy for each step.
   void setRotationsWanted(bool wanted);
+
+  /// What hands did since the run began at its start, and the hash of the state it led to. Nothing where the run does not stand on the
+  /// model's own start (the model was changed while it ran). `answer` is called in the thread that steps.
+  struct Session {
+    Recording recording;       ///< dt, seed, steps, tracks, jointHash, stateHash
+    std::shared_ptr<const Model> model;
+  };
+  void askForSession(std::function<void(std::optional<Session>)> answer);
 
   /// Newest wishes by tool order; the run takes them up at its next step.
   void setHands(const std::vector<HandWish>& wishes);

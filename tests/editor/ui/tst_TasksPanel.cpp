@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's way through tasks in the window: what is to be done, a hint, how it went, again.
 #include <QDialog>
+#include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -12,6 +13,8 @@
 #include "app/records/RecordStore.h"
 #include "editor/core/TrainingSentences.h"
 #include "editor/ui/training/TasksPanel.h"
+#include "simcore/live/Run.h"
+#include "simcore/scene/RecordingFile.h"
 #include "tests/editor/ui/GuiTest.h"
 
 namespace glenoid {
@@ -127,6 +130,40 @@ TEST_F(TasksPanelTest, recordsThatCannotBeOpenedAreSaidAndTheRunGoesOn) {
   EXPECT_TRUE(until([&] { return child<QLabel>("recordSentence")->text().contains(QStringLiteral("cannot be opened")); }));
   EXPECT_TRUE(until([&] { return row(0).contains(QStringLiteral("done")); }));
   link.pause();
+}
+
+/// What a hand did in the window, dragged tool included, gives the same state and the same score without it.
+TEST_F(TasksPanelTest, aSavedRunReplaysToTheSameHashAndScore) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("run.recording"));
+  window->saveRunTo(path);
+  EXPECT_TRUE(until([&] { return child<QLabel>("problem")->isVisible(); })) << "nothing was run";
+  window->openScene(QStringLiteral("tasks"));
+  ASSERT_TRUE(until([&] { return child<QListWidget>("taskList")->count() == 2 && link.snapshot().training; }));
+  link.play();
+  ASSERT_TRUE(until([&] { return snapshot().time > 0.8; }));
+  Pose aside = link.handOf(0);  // somebody takes the tool, turns it and lets go
+  aside.p_WB += Vec3(0.01, -0.004, 0.006);
+  aside.q_WB = Quat(Eigen::AngleAxisd(0.3, Vec3(0.3, 0.5, 0.8).normalized())) * aside.q_WB;
+  link.holdTool(0, aside);
+  ASSERT_TRUE(until([&] { return snapshot().time > 1.6; }));
+  link.releaseTool(0);
+  ASSERT_TRUE(until([&] { return snapshot().training && snapshot().training->finished; }));
+  link.pause();
+  ASSERT_TRUE(until([&] { return !snapshot().playing; }));
+  window->saveRunTo(path);
+  ASSERT_TRUE(until([&] { return QFile::exists(path); }));
+  const auto recording = loadRecording(path.toStdString());
+  ASSERT_TRUE(recording) << toLogLine(recording.error());
+  EXPECT_EQ(recording->steps, snapshot().step);
+  RunOptions options;
+  options.steps = recording->steps;
+  options.input = &*recording;
+  options.checks = false;
+  const auto again = runScenario(snapshot().model, options);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->report.stateHash, recording->stateHash);
+  EXPECT_TRUE(tasksJson(*again->report.training) == tasksJson(*snapshot().training));
 }
 
 TEST_F(TasksPanelTest, theStateIsSaidInEveryLanguage) {
