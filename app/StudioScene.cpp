@@ -10,6 +10,7 @@
 #include "simcore/scene/RecipeFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "simcore/scene/training/TrainingCheck.h"
+#include "simcore/live/RunReport.h"
 #include "simcore/starter/Starter.h"
 
 namespace glenoid {
@@ -54,7 +55,32 @@ Result<Done> bridgeScenario(const Joint& joint, const Scenario& scenario, const 
 
 }  // namespace
 
+namespace {
+
+/// The scene that was recorded, as it was run, with the recorded hands.
+Result<Scene> loadRecorded(const std::string& word) {
+  Result<Recording> recording = openRecording(word);
+  if (!recording) return recording.error();
+  Result<OpenScene> opened = openScenario(recording->scenario);
+  if (!opened) {
+    Error error = opened.error();
+    if (error.place.file.empty()) error.place.file = word;
+    return error;
+  }
+  Scene scene{std::move(opened->joint), std::move(opened->scenario), nullptr};
+  scene.scenario.dt = recording->dt;
+  scene.scenario.seed = recording->seed;
+  if (const auto profile = profileNamed(recording->profile)) scene.scenario.profile = *profile;
+  for (const HandTrack& track : recording->tracks)
+    if (findTool(scene.scenario, track.tool) < 0) return Error{Fault::UnknownId, {word, "/tracks", track.tool, {}}, {track.tool, "tool"}, "recording's track"};
+  scene.input = std::make_shared<const Recording>(std::move(*recording));
+  return scene;
+}
+
+}  // namespace
+
 Result<Scene> loadScene(const std::string& word) {
+  if (word.ends_with(".recording")) return loadRecorded(word);
   auto opened = openSceneOrJoint(word);
   if (!opened.ok()) return opened.error();
   Scene scene{std::move(opened->joint), std::move(opened->scenario), nullptr};

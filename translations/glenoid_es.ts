@@ -2923,14 +2923,6 @@
         <translation>Crear una articulación pequeña con receta, escenario y mallas, para modificarla</translation>
     </message>
     <message>
-        <source>Open a scenario, or a joint packed in one file</source>
-        <translation>Abrir un escenario, o una articulación empaquetada en un archivo</translation>
-    </message>
-    <message>
-        <source>Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)</source>
-        <translation>Escenarios y articulaciones (*.scenario.json *.jointz joint.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>Make a folder for the new joint</source>
         <translation>Crear una carpeta para la articulación nueva</translation>
     </message>
@@ -2985,6 +2977,14 @@
     <message>
         <source>There is no run to be saved: nothing was run yet, or the scene was changed while it ran. Reset and run again.</source>
         <translation>No hay ningún ejercicio que guardar: todavía no se ejecutó nada, o la escena cambió durante la ejecución. Reinicie y ejecute de nuevo.</translation>
+    </message>
+    <message>
+        <source>Open a scenario, a joint packed in one file, or a recorded run</source>
+        <translation>Abrir un escenario, una articulación en un solo archivo o un ejercicio grabado</translation>
+    </message>
+    <message>
+        <source>Scenarios, joints and recorded runs (*.scenario.json *.jointz joint.json *.recording);;All files (*)</source>
+        <translation>Escenarios, articulaciones y ejercicios grabados (*.scenario.json *.jointz joint.json *.recording);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>

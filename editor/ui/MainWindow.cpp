@@ -182,6 +182,7 @@ void MainWindow::makeDocumentDocks() {
   dock("history", new HistoryPanel(m_document.undoStack()));
   m_tasks = new TasksPanel(m_document, m_link);
   dock("tasks", m_tasks);
+  connect(m_tasks, &TasksPanel::showWanted, this, [this](const std::set<std::string>& parts) { m_selection.assign(parts, *parts.begin()); });
   connect(m_tasks, &TasksPanel::tasksAppeared, m_docks.back(), [shown = m_docks.back()] {
     shown->show();
     shown->raise();
@@ -265,7 +266,10 @@ void MainWindow::openScene(const QString& path) {
             showProblem({});
             m_selection.clear();
             m_display.showAll();
-            m_document.open(std::move(scene).value(), path);
+            // What was recorded belongs to its scene's file, not to the recording's.
+            const bool recorded = path.endsWith(u".recording") && scene->input;
+            const QString own = recorded ? QString::fromStdString(scene->input->scenario) : path;
+            m_document.open(std::move(scene).value(), own);
           } else {
             showProblem(sentenceOf(scene.error()));
           }

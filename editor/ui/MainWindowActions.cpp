@@ -52,7 +52,7 @@ void MainWindow::makeFileActions() {
     }, [this, name = std::string(kind.name)] { askForStarterFolder(name); });
   }
   m_actions.add("open", "open", {QKeySequence::Open},
-                [] { return Actions::Words{tr("&Open…"), tr("Open a scenario, or a joint packed in one file")}; }, [this] { askForScene(); });
+                [] { return Actions::Words{tr("&Open…"), tr("Open a scenario, a joint packed in one file, or a recorded run")}; }, [this] { askForScene(); });
   m_actions.add("openJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O)},
                 [] { return Actions::Words{tr("Open a &joint…"), tr("Open a .joint folder")}; },
                 [this] { askForJointFolder(); });
@@ -372,7 +372,7 @@ void MainWindow::makeToolBars() {
 void MainWindow::askForScene() {
   if (!mayDiscard()) return;
   const QString path = QFileDialog::getOpenFileName(this, tr("Open a scenario"), {},
-                                                    tr("Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)"));
+                                                    tr("Scenarios, joints and recorded runs (*.scenario.json *.jointz joint.json *.recording);;All files (*)"));
   if (!path.isEmpty()) openScene(path);
 }
 

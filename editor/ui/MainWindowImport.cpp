@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces from other programs, by the menu or dropped on the window.
+// Surfaces from other programs, by the menu; and whatever is dropped on the window.
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -19,6 +19,15 @@ QStringList surfacesIn(const QMimeData& data) {
   for (const QUrl& url : data.urls())
     if (url.isLocalFile() && QFileInfo(url.toLocalFile()).isFile() && formatByEnding(url.toLocalFile().toStdString())) files << url.toLocalFile();
   return files;
+}
+
+/// What can be opened, where it alone is dropped: a scenario, a joint or a recorded run.
+QString sceneIn(const QMimeData& data) {
+  if (data.urls().size() != 1 || !data.urls().front().isLocalFile()) return {};
+  const QFileInfo file(data.urls().front().toLocalFile());
+  const QString path = file.absoluteFilePath();
+  const bool scene = file.isDir() ? path.endsWith(u".joint") : path.endsWith(u".scenario.json") || path.endsWith(u".jointz") || path.endsWith(u".recording");
+  return scene ? path : QString();
 }
 
 }  // namespace
@@ -45,10 +54,16 @@ void MainWindow::importSurfaceFiles(const QStringList& files) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!surfacesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!sceneIn(*event->mimeData()).isEmpty() || !surfacesIn(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  if (const QString scene = sceneIn(*event->mimeData()); !scene.isEmpty()) {
+    event->acceptProposedAction();
+    // After the drop: a question would hold the program from which it comes.
+    QMetaObject::invokeMethod(this, [this, scene] { if (mayDiscard()) openScene(scene); }, Qt::QueuedConnection);
+    return;
+  }
   const QStringList files = surfacesIn(*event->mimeData());
   if (files.isEmpty()) return;
   event->acceptProposedAction();

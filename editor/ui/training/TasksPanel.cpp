@@ -93,6 +93,12 @@ TasksPanel::TasksPanel(Document& document, PlayLink& link, QWidget* parent)
   connect(m_hint, &QPushButton::clicked, this, [this] {
     m_hinted = true;
     m_hintTask = shownTask();
+    if (m_hintTask >= 0 && m_hintTask < static_cast<int>(m_listed.tasks.size()) && !m_listed.tasks[static_cast<std::size_t>(m_hintTask)].hidden) {
+      std::set<std::string> parts;
+      for (const TaskPlace& place : m_listed.tasks[static_cast<std::size_t>(m_hintTask)].places)
+        if (!place.part.empty()) parts.insert(place.part);
+      if (!parts.empty()) emit showWanted(parts);
+    }
     refreshText();
   });
   connect(m_figures, &QTableWidget::currentCellChanged, this, [this](int row) {
@@ -172,7 +178,7 @@ void TasksPanel::refreshText() {
   m_text->setText(text);
   m_text->setVisible(!text.isEmpty());
   m_list->setVisible(any);
-  m_hint->setVisible(task && !task->hint.empty());
+  m_hint->setVisible(task && (!task->hint.empty() || !task->hidden));
   m_hint->setEnabled(!m_hinted);
   m_hint->setText(tr("&Hint"));
   m_sentence->setVisible(any && m_report);

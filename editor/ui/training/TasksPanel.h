@@ -2,6 +2,8 @@
 #pragma once
 #include <QWidget>
 #include <memory>
+#include <set>
+#include <string>
 
 #include "editor/core/PlayLink.h"
 
@@ -26,6 +28,7 @@ class TasksPanel : public QWidget {
   void setRecordSentence(const QString& sentence);
 
  signals:
+  void showWanted(const std::set<std::string>& parts);  ///< a hint: where it is
   void runsWanted();      ///< their own runs are to be shown
   void tasksAppeared();  ///< a scene with tasks was opened
 

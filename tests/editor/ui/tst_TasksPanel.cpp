@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A trainee's way through tasks in the window: what is to be done, a hint, how it went, again.
 #include <QDialog>
+#include <QDropEvent>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "app/StudioScene.h"
 #include "app/WindowRecords.h"
 #include "app/records/RecordStore.h"
 #include "editor/core/TrainingSentences.h"
@@ -65,6 +68,7 @@ TEST_F(TasksPanelTest, leadsThroughAndSaysHowItWent) {
   EXPECT_EQ(child<QLabel>("taskText")->text(), QStringLiteral("Press it gently."));
   QTest::mouseClick(child<QPushButton>("taskHint"), Qt::LeftButton);
   EXPECT_TRUE(child<QLabel>("taskText")->text().contains(QStringLiteral("under the finger")));
+  EXPECT_EQ(selection.ids(), std::set<std::string>{"block"}) << "and where it is";
   EXPECT_FALSE(child<QTableWidget>("trainingFigures")->isVisible());
 
   link.play();
@@ -164,6 +168,49 @@ TEST_F(TasksPanelTest, aSavedRunReplaysToTheSameHashAndScore) {
   ASSERT_TRUE(again);
   EXPECT_EQ(again->report.stateHash, recording->stateHash);
   EXPECT_TRUE(tasksJson(*again->report.training) == tasksJson(*snapshot().training));
+}
+
+/// A saved run, dropped on the window, is watched again: its scene with its hands, under the scene's own name.
+class RecordedRuns : public GuiTest {
+ protected:
+  Result<Scene> load(const std::string& path) override { return path.find('/') != std::string::npos ? loadScene(path) : blockScene(); }
+};
+
+TEST_F(RecordedRuns, droppedOnTheWindowAreWatchedAgain) {
+  QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("mine.recording")).toStdString();
+  Recording recording;
+  recording.scenario = "builtin:landmarks";
+  recording.dt = 0.004;
+  recording.profile = "direct";
+  const Pose home{Vec3(0.1, 0.2, 0.3), Quat::Identity()};
+  recording.tracks = {{"finger", {{0, home}, {1, home}}}};
+  ASSERT_TRUE(saveRecording(recording, path));
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(QString::fromStdString(path))});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &enter);
+  ASSERT_TRUE(enter.isAccepted());
+  QDropEvent event(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &event);
+  ASSERT_TRUE(until([this] { return document.scenario().id == "landmarks"; }, 60000)) << child<QLabel>("problem")->text().toStdString();
+  EXPECT_EQ(document.path(), QStringLiteral("builtin:landmarks")) << "what is run now is of the scene's file";
+  EXPECT_DOUBLE_EQ(document.scenario().dt, 0.004);
+  ASSERT_TRUE(document.scene().input);
+  EXPECT_EQ(document.scene().input->tracks.at(0).keys.at(1).hand.p_WB, home.p_WB);
+  EXPECT_TRUE(until([this] { return snapshot().training != nullptr; }, 60000));
+}
+
+TEST_F(RecordedRuns, ofAToolThatIsNotThereAreRefusedByName) {
+  QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("other.recording")).toStdString();
+  Recording recording;
+  recording.scenario = "builtin:landmarks";
+  recording.profile = "direct";
+  recording.tracks = {{"spoon", {{0, Pose{}}}}};
+  ASSERT_TRUE(saveRecording(recording, path));
+  window->openScene(QString::fromStdString(path));
+  EXPECT_TRUE(until([this] { return child<QLabel>("problem")->text().contains(QStringLiteral("spoon")); }, 60000));
 }
 
 TEST_F(TasksPanelTest, theStateIsSaidInEveryLanguage) {
