@@ -110,7 +110,11 @@ Result<Done> saveScene(const Scene& scene, const std::string& path) {
   std::string stem = fs::path(path).filename().string();
   if (stem.size() > kEnding.size() && stem.ends_with(kEnding)) stem.resize(stem.size() - kEnding.size());
   const fs::path folder = fs::path(path).parent_path();
-  const std::string jointName = stem + ".joint";
+  // A scenario that is saved where it lies keeps its joint beside it, whatever that is called.
+  const Result<Scenario> before = loadScenario(path);
+  const bool own = before && before->joint == scene.scenario.joint && before->joint.rfind("builtin:", 0) != 0 && before->joint.ends_with(".joint") &&
+                   before->joint.find('/') == std::string::npos;
+  const std::string jointName = own ? before->joint : stem + ".joint";
   Scenario scenario = scene.scenario;
   scenario.joint = jointName;
   // What was relative to the old place would not be found from the new one; a built-in input is found anywhere.

@@ -2572,10 +2572,6 @@
         <translation>Abrir una escena incluida con el programa</translation>
     </message>
     <message>
-        <source>&amp;Save as…</source>
-        <translation>&amp;Guardar como…</translation>
-    </message>
-    <message>
         <source>Save joint and scenario under a name</source>
         <translation>Guardar la articulación y el escenario con un nombre</translation>
     </message>
@@ -2985,6 +2981,22 @@
     <message>
         <source>Scenarios, joints and recorded runs (*.scenario.json *.jointz joint.json *.recording);;All files (*)</source>
         <translation>Escenarios, articulaciones y ejercicios grabados (*.scenario.json *.jointz joint.json *.recording);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Guardar</translation>
+    </message>
+    <message>
+        <source>Save joint and scenario where they were opened from</source>
+        <translation>Guardar la articulación y el escenario donde se abrieron</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Guardar &amp;como…</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Guardado en %1</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,7 @@ void Document::swap(Scene scene, std::shared_ptr<const FrozenScene> frozen, cons
 
 void Document::open(Scene scene, const QString& path) {
   m_undo.clear();
+  m_undo.setClean();  // of a stack that was empty before, clear() leaves the clean index as it was
   m_path = path;
   ++m_gestureNumber;
   ChangeSet all;

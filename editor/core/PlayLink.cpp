@@ -55,6 +55,11 @@ void PlayLink::onChanged(const ChangeSet& changes) {
     m_simulation.pause();
     m_carry = false;
   }
+  // Who stopped following in one scene did not mean the next.
+  if (changes.everything && !m_followRecording) {
+    m_followRecording = true;
+    emit followChanged();
+  }
   if (changes.model) compile(m_carry);
 }
 
@@ -96,6 +101,7 @@ void PlayLink::reset() {
 void PlayLink::setFollowRecording(bool follow) {
   if (m_followRecording == follow) return;
   m_followRecording = follow;
+  emit followChanged();
   m_simulation.setRecording(follow ? m_document.scene().input : nullptr);
 }
 

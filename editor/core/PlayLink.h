@@ -58,6 +58,7 @@ class PlayLink : public QObject {
   void snapshotChanged();
   void noticesChanged();
   void compilingChanged();
+  void followChanged();                       ///< followsRecording() has
   void problem(const glenoid::Error& error);  ///< the last change cannot be simulated
   void compiled();                            ///< it can; snapshotChanged follows when the run has taken it
 

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/MainWindow.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QKeyEvent>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -34,6 +39,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
     : m_document(parts.document), m_link(parts.link), m_display(parts.display), m_selection(parts.selection),
       m_loader(std::move(loader)), m_saver(std::move(saver)), m_starter(std::move(starter)), m_actions(this), m_jobs(m_document),
       m_problems(m_document, m_jobs), m_field(m_link) {
+  qApp->installEventFilter(this);
   setObjectName(QStringLiteral("mainWindow"));
   m_workers.setMaxThreadCount(1);
   setAcceptDrops(true);
@@ -233,7 +239,7 @@ void MainWindow::refreshRun() {
   QAction* play = m_actions[QStringLiteral("play")];
   if (play->isChecked() != snapshot.playing) play->setChecked(snapshot.playing);
   for (const char* id : {"play", "step", "reset"}) m_actions[QLatin1String(id)]->setEnabled(ready);
-  for (const char* id : {"saveAs", "exportJoint", "picture", "mirrorJoint"}) m_actions[QLatin1String(id)]->setEnabled(open);
+  for (const char* id : {"save", "saveAs", "exportJoint", "picture", "mirrorJoint"}) m_actions[QLatin1String(id)]->setEnabled(open);
   const QString busy = m_opening > 0            ? tr("Opening the scene…")
                        : m_link.isCompiling()   ? tr("Preparing the simulation…")
                        : !open                  ? tr("No scene is open")
@@ -280,13 +286,38 @@ void MainWindow::openScene(const QString& path) {
   });
 }
 
+/// Space belongs to the button, box or list that has the focus, as everywhere; elsewhere it plays.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    auto* widget = qobject_cast<QWidget*>(watched);
+    const bool takes = qobject_cast<QAbstractButton*>(watched) || qobject_cast<QAbstractItemView*>(watched) || qobject_cast<QComboBox*>(watched);
+    if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && takes && widget->window() == this) {
+      event->accept();
+      return true;
+    }
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+/// Tab stops only where somebody can see it: not in panels that lie behind another's tab.
+bool MainWindow::focusNextPrevChild(bool next) {
+  QWidget* const before = focusWidget();
+  for (int tries = 0; tries < 1000; ++tries) {
+    if (!QMainWindow::focusNextPrevChild(next)) return false;
+    QWidget* const now = focusWidget();
+    if (!now || now == before || !now->visibleRegion().isEmpty()) return true;
+  }
+  return true;
+}
+
 bool MainWindow::mayDiscard() {
   if (m_document.undoStack().isClean()) return true;
   const auto answer = QMessageBox::question(
       this, tr("Unsaved changes"), tr("The scene has changes that are not saved. Save them before going on?"),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer == QMessageBox::Save) {
-    saveAs();
+    save();
     return m_document.undoStack().isClean();
   }
   return answer == QMessageBox::Discard;

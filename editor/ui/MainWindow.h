@@ -76,6 +76,8 @@ class MainWindow : public QMainWindow {
   void sceneOpened();
 
  protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void changeEvent(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -102,7 +104,9 @@ class MainWindow : public QMainWindow {
   void askForStarterFolder(const std::string& kind);
   void askForSurfaces();
   void askForRecovery(bool all);
+  void save();
   void saveAs();
+  void saveTo(const QString& path);
   void exportPicture();
   void saveRun();
   void exportTo();

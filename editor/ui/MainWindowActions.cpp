@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window can do, and where it is found: actions, menus, toolbars, dialogs.
+#include <QStatusBar>
+#include <QFileInfo>
+#include <QDir>
 #include <QActionGroup>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -75,8 +78,11 @@ void MainWindow::makeFileActions() {
   m_actions.add("recover", {}, {},
                 [] { return Actions::Words{tr("&Recover…"), tr("Find unsaved work of a program that was closed or killed")}; },
                 [this] { askForRecovery(true); });
-  m_actions.add("saveAs", "save", {QKeySequence::Save, QKeySequence::SaveAs},
-                [] { return Actions::Words{tr("&Save as…"), tr("Save joint and scenario under a name")}; },
+  m_actions.add("save", "save", {QKeySequence::Save},
+                [] { return Actions::Words{tr("&Save"), tr("Save joint and scenario where they were opened from")}; },
+                [this] { save(); });
+  m_actions.add("saveAs", {}, {QKeySequence::SaveAs},
+                [] { return Actions::Words{tr("Save &as…"), tr("Save joint and scenario under a name")}; },
                 [this] { saveAs(); });
   m_actions.add("exportJoint", {}, {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
                 [] { return Actions::Words{tr("Export &joint…"), tr("Write the joint for Gmsh, VTK, SOFA, FEBio, CalculiX or glTF")}; },
@@ -286,7 +292,7 @@ void MainWindow::makeMenus() {
   fill(file, {"open", "openJoint", "import"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
-  fill(file, {"recover", "-", "saveAs", "exportJoint", "picture", "-", "quit"});
+  fill(file, {"recover", "-", "save", "saveAs", "exportJoint", "picture", "-", "quit"});
   fill(menu(), {"undo", "redo", "-", "deleteParts", "mirrorJoint", "selectNone"});
   QMenu* view = menu();
   fill(view, {"frame", "frameAll", "home"});
@@ -335,7 +341,7 @@ void MainWindow::makeToolBars() {
     return made;
   };
   QToolBar* file = bar("file");
-  for (const char* id : {"open", "saveAs", "picture", "-", "undo", "redo", "-", "home", "frame"}) {
+  for (const char* id : {"open", "save", "picture", "-", "undo", "redo", "-", "home", "frame"}) {
     if (*id == '-') {
       file->addSeparator();
     } else {
@@ -382,16 +388,28 @@ void MainWindow::askForJointFolder() {
   if (!path.isEmpty()) openScene(path);
 }
 
+/// A scene that ships, or was never saved, has no place of its own.
+void MainWindow::save() {
+  const QString path = m_document.path();
+  if (path.endsWith(u".scenario.json") && QFileInfo(path).isFile()) saveTo(path);
+  else saveAs();
+}
+
 void MainWindow::saveAs() {
   QString path = QFileDialog::getSaveFileName(
-      this, tr("Save the scene"), QString::fromStdString(m_document.scenario().id) + QStringLiteral(".scenario.json"),
+      this, tr("Save the scene"), m_document.path().endsWith(u".scenario.json") ? m_document.path() : QString::fromStdString(m_document.scenario().id) + QStringLiteral(".scenario.json"),
       tr("Scenarios (*.scenario.json)"));
   if (path.isEmpty()) return;
   if (!path.endsWith(u".scenario.json")) path += QStringLiteral(".scenario.json");
+  saveTo(path);
+}
+
+void MainWindow::saveTo(const QString& path) {
   const auto saved = m_saver(m_document.scene(), path.toStdString());
   if (saved.ok()) {
     m_document.saved(path);
     showProblem({});
+    statusBar()->showMessage(tr("Saved to %1").arg(QDir::toNativeSeparators(path)), 5000);
   } else {
     showProblem(sentenceOf(saved.error()));
   }

@@ -45,6 +45,7 @@ ToolPanel::ToolPanel(Document& document, PlayLink& link, QWidget* parent)
   layout->addWidget(m_hint);
   layout->addStretch(1);
   connect(m_follow, &QCheckBox::toggled, &link, &PlayLink::setFollowRecording);
+  connect(&link, &PlayLink::followChanged, m_follow, [this] { m_follow->setChecked(m_link.followsRecording()); });
   connect(&document, &Document::changed, this, [this](const ChangeSet& changes) {
     if (changes.everything) rebuild();
   });
