@@ -71,6 +71,7 @@ int runProgram(int argc, char** argv) {
   addReplayCommand(app, status);
   addExportCommand(app, status);
   addBenchCommand(app, status);
+  addDevicesCommand(app, status);
   addStudyCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
              "builtin:shoulder-superficial.\n"
