@@ -44,7 +44,7 @@ class HaplyLink : public DeviceLink {
   DeviceAddress m_address;
   DevicePort m_port;
   lws* m_wsi = nullptr;
-  bool m_open = false, m_first = true, m_waiting = false, m_here = false;
+  bool m_open = false, m_greeted = false, m_first = true, m_waiting = false, m_here = false;  // greeted: it has said what there is
   std::int64_t m_sentAt = 0, m_tryAt = 0;
   std::string m_text, m_device;
   std::vector<unsigned char> m_out;
@@ -60,7 +60,7 @@ int HaplyLink::called(lws* wsi, lws_callback_reasons reason, void*, void* in, st
   switch (reason) {
     case LWS_CALLBACK_CLIENT_ESTABLISHED:
       self->m_open = self->m_first = true;
-      self->m_waiting = false;
+      self->m_waiting = self->m_greeted = false;
       break;
     case LWS_CALLBACK_CLIENT_RECEIVE:
       self->heard({static_cast<const char*>(in), length}, lws_is_final_fragment(wsi) && lws_remaining_packet_payload(wsi) == 0);
@@ -108,8 +108,8 @@ void HaplyLink::heard(std::string_view text, bool whole) {
 void HaplyLink::answered(const HaplyWord& word) {
   const std::int64_t now = steadyNow();
   const double trip = 1e-6 * static_cast<double>(now - m_sentAt);
-  const bool answer = std::exchange(m_waiting, false);
-  if (answer) m_tripMs += (trip - m_tripMs) / 64;
+  m_greeted = true;
+  if (std::exchange(m_waiting, false)) m_tripMs += (trip - m_tripMs) / 64;
   if (word.device.empty()) {  // unplugged, or none yet
     if (std::exchange(m_here, false)) {
       m_port.leave();
@@ -139,14 +139,14 @@ void HaplyLink::answered(const HaplyWord& word) {
 }
 
 void HaplyLink::send(lws* wsi) {
-  if (m_waiting || (m_device.empty() && !m_first)) return;
+  if (m_waiting || !m_greeted) return;
   m_sentBefore = m_sent;
   m_sent = m_io.quit() || !m_here ? Vec3(Vec3::Zero()) : m_port.force().force;
   const std::string text = haplyCommand(m_device, m_sent, m_dialect, m_first);
   m_out.resize(LWS_PRE + text.size());
   std::copy(text.begin(), text.end(), m_out.begin() + LWS_PRE);
   if (lws_write(wsi, m_out.data() + LWS_PRE, text.size(), LWS_WRITE_TEXT) < static_cast<int>(text.size())) return;
-  m_first = m_device.empty() && m_first;
+  m_first = false;
   m_waiting = true;
   m_sentAt = steadyNow();
 }
@@ -168,8 +168,7 @@ void HaplyLink::run() {
       if (m_io.quit() && (!m_open || ++farewell > 20 || (farewell > 1 && m_sent.isZero(0) && !m_waiting))) break;
       if (!m_wsi && now >= m_tryAt) connect(context);
       if (m_waiting && now - m_sentAt > kUnanswered) m_waiting = false;
-      // The first message goes out once the service has said what there is.
-      if (m_open && !m_waiting && !m_device.empty()) lws_callback_on_writable(m_wsi);
+      if (m_open && !m_waiting && m_greeted) lws_callback_on_writable(m_wsi);
     }
     lws_service(context, -1);
     const std::int64_t left = due - steadyNow();

@@ -68,7 +68,7 @@ std::string haplyCommand(const std::string& device, const Vec3& force_D, HaplyDi
   commands.set("set_cursor_force", std::move(set));
   one.set("device_id", device);
   one.set("commands", std::move(commands));
-  list.append(std::move(one));
+  if (!device.empty()) list.append(std::move(one));
   JsonValue message = JsonValue::object();
   if (first) {
     JsonValue name = JsonValue::object(), profile = JsonValue::object(), configure = JsonValue::object();

@@ -25,7 +25,7 @@ struct HaplyWord {
 /// or no numbers make a pose that is none (not a number), which the loop refuses.
 std::optional<HaplyWord> haplyWord(std::string_view text, const std::string& wanted);
 
-/// The command for one tick; `first`: with what begins a session.
+/// The command for one tick; `first`: with what begins a session. Without a device one that commands nothing, and is answered too.
 std::string haplyCommand(const std::string& device, const Vec3& force_D, HaplyDialect dialect, bool first);
 
 /// The service's axes are X right, Y forward, Z up.

@@ -16,9 +16,6 @@ Result<std::unique_ptr<DeviceLink>> openTracker(const DeviceAddress& address, co
 bool somebodyListens(const std::string& host, int port, double seconds);
 
 /// "Nobody answers …", with what to do.
-inline Error nobodyThere(const DeviceAddress& address, const std::string& remedy) {
-  return {Fault::BadUsage, {}, {"“" + address.word + "”: nobody answers" + (address.host.empty() ? "" : " at " + address.host) +
-                               (address.port > 0 ? ":" + std::to_string(address.port) : "") + "; " + remedy}, "device"};
-}
+Error nobodyThere(const DeviceAddress& address, const std::string& remedy);
 
 }  // namespace glenoid

@@ -32,4 +32,12 @@ bool somebodyListens(const std::string& host, int port, double seconds) {
   return there;
 }
 
+Error nobodyThere(const DeviceAddress& address, const std::string& remedy) {
+  std::string said("“");
+  said.append(address.word).append("”: nobody answers");
+  if (!address.host.empty()) said.append(" at ").append(address.host);
+  if (address.port > 0) said.append(":").append(std::to_string(address.port));
+  return {Fault::BadUsage, {}, {said.append("; ").append(remedy)}, "device"};
+}
+
 }  // namespace glenoid

@@ -34,7 +34,8 @@ const BoundPoseSpring* gripOf(const CouplingIslandModel& island, int tool) {
 }  // namespace
 
 LocalPublisher::LocalPublisher(Stepper& stepper, double stepsAhead)
-    : m_stepper(stepper), m_ahead(stepsAhead > 0 ? std::make_unique<RowsAhead>(stepper) : nullptr), m_stepsAhead(stepsAhead) {
+    : m_stepper(stepper), m_stepsAhead(stepsAhead) {
+  if (stepsAhead > 0) m_aheadOf.resize(stepper.model().scenario.tools.size());
   m_last.resize(stepper.work().islands.size());
   m_free.resize(m_last.size());
 }
@@ -244,7 +245,12 @@ void LocalPublisher::read(const State& state, int tool, LocalProblem& out) {
     if (out.linkCount < LocalProblem::kLinks && spring.objectA == bodies.object[0] && bodies.count > 1 && spring.objectB == bodies.object[1])
       out.links[out.linkCount++] = {spring.pointA.r_B, spring.pointB.r_B, spring.stiffness};
 
-  if (m_ahead) m_ahead->find(state, {bodies.object.data(), static_cast<std::size_t>(bodies.count)}, m_stepsAhead * out.dt);
+  if (!m_aheadOf.empty()) {
+    std::unique_ptr<RowsAhead>& own = m_aheadOf[tool];
+    if (!own) own = std::make_unique<RowsAhead>(m_stepper, std::span(bodies.object.data(), static_cast<std::size_t>(bodies.count)));
+    m_ahead = own.get();
+    m_ahead->find(state, m_stepsAhead * out.dt);
+  }
   chooseRows(bodies);
   out.rowCount = std::min<int>(LocalProblem::kRows, static_cast<int>(m_rows.size()));
   out.overflow = static_cast<int>(m_rows.size()) - out.rowCount;

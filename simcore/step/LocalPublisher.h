@@ -48,7 +48,8 @@ class LocalPublisher {
   Stepper& m_stepper;
   bool m_taken = false, m_known = false;  ///< m_known: m_free is what m_last and this step make of the islands
   std::vector<VecX> m_last, m_free;       ///< by island: J^T λ of the last step; free velocities under it
-  std::unique_ptr<RowsAhead> m_ahead;     ///< null: the step's own
+  std::vector<std::unique_ptr<RowsAhead>> m_aheadOf;  ///< by tool, made when it is first asked for; empty: the step's own rows
+  RowsAhead* m_ahead = nullptr;           ///< of the tool at hand
   double m_stepsAhead;
   std::vector<int> m_rows;                ///< of contacts()
   std::vector<int> m_given, m_others;     ///< of the step's contacts: the tool's that press, where rows are others; what else presses

@@ -14,7 +14,7 @@ namespace {
 constexpr double kFarthest = 2;
 }  // namespace
 
-RowsAhead::RowsAhead(Stepper& stepper) : m_stepper(stepper) {
+RowsAhead::RowsAhead(Stepper& stepper, std::span<const int> bodies) : m_stepper(stepper), m_bodies(bodies.begin(), bodies.end()) {
   const Stepper::Work& work = stepper.work();
   m_rows.resize(work.islands.size());
   if (!work.finder) return;
@@ -25,7 +25,7 @@ RowsAhead::RowsAhead(Stepper& stepper) : m_stepper(stepper) {
   for (std::size_t p = 0; p < work.finder->pairs().size(); ++p) {
     const CollisionPair& pair = work.finder->pairs()[p];
     const auto a = static_cast<std::size_t>(pair.surfaceA), b = static_cast<std::size_t>(pair.surfaceB);
-    if (!objects[a].tool && !objects[b].tool) continue;
+    if (std::none_of(m_bodies.begin(), m_bodies.end(), [&](int body) { return body == pair.surfaceA || body == pair.surfaceB; })) continue;
     m_ownOf[p] = static_cast<int>(pairs.size());
     m_pairOf.push_back(static_cast<int>(p));
     pairs.push_back(pair);
@@ -40,16 +40,16 @@ RowsAhead::RowsAhead(Stepper& stepper) : m_stepper(stepper) {
   m_finder = std::make_unique<ProximityFinder>(work.finder->surfaces(), std::move(pairs));
 }
 
-void RowsAhead::find(const State& state, std::span<const int> bodies, double ahead) {
+void RowsAhead::find(const State& state, double ahead) {
   Stepper::Work& work = m_stepper.work();
   const Model& model = *work.model;
   m_contacts.clear();
-  m_moved.assign(bodies.size(), Vec6::Zero());
+  m_moved.assign(m_bodies.size(), Vec6::Zero());
   for (IslandRows& rows : m_rows) rows.clear();
   if (!m_finder) return;
   m_state = state;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const ObjectLayout& layout = model.objects[static_cast<std::size_t>(bodies[b])].layout;
+  for (std::size_t b = 0; b < m_bodies.size(); ++b) {
+    const ObjectLayout& layout = model.objects[static_cast<std::size_t>(m_bodies[b])].layout;
     m_moved[b] = ahead * state.v.segment<6>(layout.vOffset);
     const double way = m_moved[b].head<3>().norm(), most = kFarthest * model.scenario.contactDistance;
     if (way > most) m_moved[b] *= most / way;

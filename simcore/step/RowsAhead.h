@@ -12,10 +12,11 @@ namespace glenoid {
 /// In the thread that steps, between two steps; the contacts are valid until the next step or find().
 class RowsAhead {
  public:
-  explicit RowsAhead(Stepper& stepper);
+  /// `bodies`: objects that the hand moves.
+  RowsAhead(Stepper& stepper, std::span<const int> bodies);
 
-  /// `bodies`: objects that the hand moves; `ahead`: s after the step's end. Nothing that is fixed or soft is moved on.
-  void find(const State& state, std::span<const int> bodies, double ahead);
+  /// `ahead`: s after the step's end. Nothing that is fixed or soft is moved on.
+  void find(const State& state, double ahead);
 
   const std::vector<StepContact>& contacts() const { return m_contacts; }
   const IslandRows& rows(std::size_t island) const { return m_rows[island]; }
@@ -24,7 +25,8 @@ class RowsAhead {
 
  private:
   Stepper& m_stepper;
-  std::unique_ptr<ProximityFinder> m_finder;   ///< of pairs with a tool
+  std::vector<int> m_bodies;
+  std::unique_ptr<ProximityFinder> m_finder;   ///< of pairs with one of the bodies
   std::vector<int> m_pairOf, m_ownOf;          ///< the stepper's pair of each of its own, and the other way; −1: none
   std::vector<char> m_used;                    ///< objects that some such pair names
   Stepper::Work::Surfaces m_positions;

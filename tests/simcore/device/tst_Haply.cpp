@@ -97,6 +97,19 @@ TEST(Haply, aServiceThatGoesAndADeviceThatIsUnpluggedGiveNoForceAndComeBack) {
   ASSERT_EQ(service->port(), port);
   EXPECT_TRUE(feeling.until([&] { return service->force[2] > 0.5; }));
   EXPECT_EQ(link->story().left, 2);
+  EXPECT_LE(service->outstandingMost, 1);
+}
+
+TEST(Haply, aDeviceThatIsPluggedInLaterIsFound) {
+  HaplyService service;
+  service.plugged = false;
+  const auto link = linkTo(service.port());
+  ASSERT_TRUE(link);
+  Feeling feeling(link->device());
+  ASSERT_TRUE(feeling.until([&] { return service.received > 5; }));
+  EXPECT_FALSE(feeling.present);
+  service.plugged = true;
+  EXPECT_TRUE(feeling.until([&] { return service.force[2] > 0.5; }));
 }
 
 TEST(Haply, whatIsNoNumberNeverBecomesAForce) {
