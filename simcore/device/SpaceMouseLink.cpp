@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A 3D mouse says how far its cap is pushed, not where it is: that is how fast the hand goes. It says nothing while nothing changes.
 #include <poll.h>
-#include <spnav.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 
@@ -14,6 +13,9 @@
 #include "simcore/device/IoThread.h"
 #include "simcore/device/Links.h"
 #include "simcore/haptic/HapticThread.h"
+
+// Last: it brings the macros of Xlib, which Eigen does not bear.
+#include <spnav.h>
 
 namespace glenoid {
 

@@ -8,6 +8,11 @@
 
 namespace glenoid {
 
+namespace {
+/// A step in time is done long before the next one begins, and its problem is used from then on for Δt.
+constexpr double kStepsAhead = 1;
+}  // namespace
+
 /// One tool, its device and its thread. `thread` is last: it ends before what it uses.
 struct RunHaptics::Hand {
   int tool = -1;
@@ -29,7 +34,7 @@ std::string RunHaptics::reasonAgainst(const Model& model, Profile profile) {
 }
 
 RunHaptics::RunHaptics(const Model& model, Stepper& stepper, const Recording* input, const HapticWishes& wishes, double seconds)
-    : m_model(model), m_input(input), m_wishes(wishes), m_seconds(seconds), m_publisher(stepper, LocalProblem::kStepsAhead) {
+    : m_model(model), m_input(input), m_wishes(wishes), m_seconds(seconds), m_publisher(stepper, kStepsAhead) {
   const auto room = static_cast<std::size_t>(std::ceil(std::max(0.0, std::min(seconds, wishes.compareSeconds)) * wishes.device.rate));
   for (std::size_t tool = 0; tool < model.scenario.tools.size(); ++tool) {
     if (!model.scenario.tools[tool].link.empty()) continue;
