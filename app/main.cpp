@@ -72,6 +72,7 @@ int runProgram(int argc, char** argv) {
   addReplayCommand(app, status);
   addExportCommand(app, status);
   addBenchCommand(app, status);
+  addDevicesCommand(app, status);
   addStudyCommand(app, status);
   addRecordsCommand(app, status);
   app.footer("SCENARIO is a file, builtin:arthroscopy, builtin:palpation, builtin:tour or builtin:landmarks; JOINT a folder, builtin:shoulder or\n"

@@ -33,6 +33,8 @@ const std::vector<double> kDelays{0, 0.001, 0.002, 0.005};  // s
 
 std::string hapticTitleOf(const std::string& id) {
   if (id == "haptic-contact") return "Contact: a virtual hand on soft tissue, cartilage and bone, in a time of its own";
+  if (id == "haptic-silence") return "Silence: the same hand while the simulation stands still now and then";
+  if (id == "haptic-recorded-late") return "Recorded hands while the simulation stands still now and then";
   if (id == "haptic-recorded") return "Recorded hands, in a time of its own: beside the exact step at the rate of the loop";
   if (id == "haptic-z-width") return "Z-width: the stiffest wall that does not swing up, that is passive, and that is chosen";
   return "Clock: a haptic thread beside a simulation in real time";
@@ -61,6 +63,9 @@ Result<Done> benchHaptics(const HapticsWishes& wishes) {
   pressing.reset();  // the line is wiped before the table
   if (!contact) return contact.error();
   show(std::move(*contact));
+  auto silent = hapticSilenceTable(*device, wishes.seconds, bars, {});
+  if (!silent) return silent.error();
+  show(std::move(*silent));
   if (wishes.scenes) {
     std::vector<std::pair<std::string, StudyScene>> shipped;
     for (const char* name : {"builtin:arthroscopy", "builtin:palpation"}) {
@@ -75,6 +80,9 @@ Result<Done> benchHaptics(const HapticsWishes& wishes) {
     progress.reset();  // the line is wiped before the table
     if (!recorded) return recorded.error();
     show(std::move(*recorded));
+    auto late = hapticRecordedLateTable(shipped, *device, 2.5 * wishes.seconds, bars, {});
+    if (!late) return late.error();
+    show(std::move(*late));
   }
   const StudyTable width = zWidthTable(*device, kDelays);
   if (!wishes.csv.empty())
@@ -105,7 +113,9 @@ Result<Done> benchHaptics(const HapticsWishes& wishes) {
     json.set("tables", std::move(list));
     std::fputs(toText(json).c_str(), stdout);
   }
-  if (!allKept(tables.front())) return Error{Fault::CheckFailed, {}, {"A row of the contact table does not keep what it is held to"}, "bench haptics"};
+  for (const StudyTable& table : tables)
+    if (table.columns.back() == "kept" && table.id != "haptic-clock" && !allKept(table))
+      return Error{Fault::CheckFailed, {}, {"A row of the table “" + table.id + "” does not keep what it is held to"}, "bench haptics"};
   if (!clock.rows.empty() && !std::get<bool>(clock.rows.front().back()))
     return Error{Fault::CheckFailed, {}, {"The haptic thread did not keep its clock on this machine"}, "bench haptics"};
   return Done{};

@@ -15,6 +15,7 @@ void addMeshCommand(CLI::App& app, int& status);
 void addReplayCommand(CLI::App& app, int& status);
 void addExportCommand(CLI::App& app, int& status);
 void addBenchCommand(CLI::App& app, int& status);
+void addDevicesCommand(CLI::App& app, int& status);
 void addRecordsCommand(CLI::App& app, int& status);
 /// Draws plots, whose letters need a QGuiApplication.
 void addStudyCommand(CLI::App& app, int& status);

@@ -7,6 +7,17 @@
 #include "simcore/scene/RecordingFile.h"
 
 namespace glenoid {
+namespace {
+
+/// What became of a device in a run.
+std::string deviceSentence(const LiveHandReport& live, const std::string& tool) {
+  if (!live.heard) return "The device “" + live.device + "” never said where its hand is: “" + tool + "” stayed where it began, and nothing was felt.";
+  if (live.lostSeconds <= 0) return "The device “" + live.device + "” held “" + tool + "” all the time.";
+  return text("The device “%s” was gone, silent or wild for %.3f s in all, from %.2f s on: no force was shown meanwhile, and “%s” stayed where it was.",
+              live.device.c_str(), live.lostSeconds, live.lostFrom, tool.c_str());
+}
+
+}  // namespace
 
 namespace {
 
@@ -83,6 +94,7 @@ std::string summaryOf(const RunReport& r) {
                   tool.saturated ? " (the scenario asks for more than the device can show)" : "", tool.forceMaxN, 1e3 * tool.energyMaxJ);
       if (tool.forceErrorRms) out += text(", %.4f N RMS off the exact step, of %.3f N", *tool.forceErrorRms, *tool.forceRms);
       out += "\n";
+      if (tool.live) out += "             " + deviceSentence(*tool.live, tool.tool) + "\n";
     }
   }
   for (const MarkReport& mark : r.marks)

@@ -26,7 +26,8 @@ namespace glenoid {
 namespace {
 
 struct Wishes {
-  std::string scenario, profile, input, device, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trainingTrace, trainee, records, trace, traceParts, tracePairs;
+  std::string scenario, profile, input, deviceProfile, effects, paper, failDepth, timeLimit, record, report, render, state, vtu, trainingTrace, trainee, records, trace, traceParts, tracePairs;
+  std::vector<std::string> devices;
   double seconds = 0, dt = 0, compare = 10;
   long steps = 0;
   int threads = 1, every = 1;
@@ -100,6 +101,32 @@ Result<Done> saveReadings(const Wishes& wishes, const Model& model, const RunRes
   return trace ? writeWholeFile(wishes.trace, trace->csv()) : Done{};
 }
 
+/// A profile's id, and whose hands take part.
+struct FeltWith {
+  std::string profile;
+  std::vector<DeviceWish> devices;
+};
+
+Result<FeltWith> feltWith(const Wishes& wishes) {
+  FeltWith with{wishes.deviceProfile, {}};
+  for (const std::string& word : wishes.devices) {
+    const DeviceWish wish = deviceWish(word);
+    if (namesDevice(wish.address)) {
+      with.devices.push_back(wish);
+    } else if (!with.profile.empty()) {
+      return usageError("“" + word + "” and “" + with.profile + "” are two profiles, and forces are made for one");
+    } else {
+      with.profile = word;
+    }
+  }
+  if (with.profile.empty() && with.devices.empty()) with.profile = kReferenceDevice;
+  if (!with.profile.empty()) return with;
+  const Result<DeviceAddress> address = deviceAddress(with.devices.front().address);
+  if (!address) return address.error();
+  with.profile = profileOf(address->kind);
+  return with;
+}
+
 Result<Done> run(const Wishes& wishes) {
   if (const auto good = checkColours(wishes.picture); !good) return good;
   if (!wishes.picture.colour.empty() && wishes.render.empty()) return usageError("--colour is for the picture that --render writes, and goes with it only");
@@ -153,11 +180,18 @@ Result<Done> run(const Wishes& wishes) {
   if (options.trainingTrace && scene->scenario.training.tasks.empty())
     return usageError("--training-trace is of tasks, and the scenario “" + wishes.scenario + "” has none");
   options.realtime = wishes.realtime;
-  if (!wishes.device.empty() && !wishes.realtime) return usageError("--device is what a run in real time is felt with, and goes with --realtime");
+  if (!(wishes.devices.empty() && wishes.deviceProfile.empty()) && !wishes.realtime)
+    return usageError("--device is what a run in real time is felt with, and goes with --realtime");
+  HeldTools held;  // outlives the run
   if (wishes.realtime) {
-    Result<DeviceProfile> device = deviceNamed(wishes.device.empty() ? kReferenceDevice : wishes.device);
+    const Result<FeltWith> with = feltWith(wishes);
+    if (!with) return with.error();
+    Result<DeviceProfile> device = deviceNamed(with->profile);
     if (!device) return device.error();
-    options.haptic = {std::move(*device), wishes.compare};
+    Result<HeldTools> tools = holdTools(with->devices, scene->scenario);
+    if (!tools) return tools.error();
+    held = std::move(*tools);
+    options.haptic = {std::move(*device), wishes.compare, held.hands};
   }
   if (trace) options.observe = [&trace](const StepReport& step, const State& state, std::span<const Penetration> depths) { trace->add(step, state, depths); };
   ProgressLine progress("Running " + wishes.scenario);
@@ -226,8 +260,12 @@ void addRunCommand(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"paper", "direct", "reference"}));
   command->add_option("--input", wishes->input, "Hands over time: a .recording; without it the scenario's own");
   command->add_flag("--realtime", wishes->realtime, "Keep pace with the clock");
-  command->add_option("--device", wishes->device,
-                      "With --realtime: whose profile forces are made for, an id of resources/devices/devices.json or ID@FILE; without it the reference device");
+  command->add_option("--device", wishes->devices,
+                      "With --realtime: a device that holds a tool, haply, spnav, bridge or igtl, with an address as haply:HOST:PORT (“glenoid devices” lists "
+                      "them), or TOOL=DEVICE, once for each hand; or else the profile that forces on recorded hands are made for")
+      ->allow_extra_args(false);
+  command->add_option("--device-profile", wishes->deviceProfile,
+                      "With --realtime: whose profile forces are made for, an id of resources/devices/devices.json or ID@FILE; without it the device's own");
   command->add_option("--haptic-compare", wishes->compare,
                       "With --realtime: how many seconds from the start are compared with the exact step at the haptic rate afterwards; 0: none")
       ->check(CLI::Range(0.0, 600.0));

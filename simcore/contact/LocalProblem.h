@@ -21,6 +21,9 @@ namespace glenoid {
 /// (linear handles of a slow simulation in a fast loop).
 struct LocalProblem {
   static constexpr int kRows = 32, kBodies = 2, kLinks = 8, kUnknowns = 6 * kBodies;
+  /// Where a simulation is as late as it may be, a problem is used from one step's length after the state that it describes until two; so its rows
+  /// are best those of the middle.
+  static constexpr double kStepsAhead = 1.5;
 
   /// One of the springs by which a tool carries another; ends in the bodies' frames.
   struct Link {

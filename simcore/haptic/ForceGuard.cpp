@@ -25,8 +25,10 @@ Vec3 ForceGuard::show(const Vec3& wanted, double dataAge, double simulationAge, 
     m_shown = m_rampLeft / m_rampLength * m_rampFrom;
     return m_shown;
   }
+  if (m_rampLeft >= 0) m_back = m_rampLeft / m_rampLength;  // as far as it had gone
   m_rampLeft = -1;
-  Vec3 aim = wanted;
+  m_back = std::min(1.0, m_back + T / m_limits.comeBack);
+  Vec3 aim = m_back * wanted;
   if (const double size = aim.norm(); size > m_limits.forceMax) {
     aim *= m_limits.forceMax / size;
     m_word.clamped = true;

@@ -23,11 +23,13 @@ HapticLoop::HapticLoop(const HapticSettings& settings)
     : m_settings(settings),
       m_guard(limitsOf(settings.device)),
       m_handle(settings.device.damping, 1 / settings.rate),
-      m_alone(0, 1 / settings.rate) {}
+      m_alone(0, 1 / settings.rate),
+      m_tank(settings.device.damping) {}
 
 HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, const ToolInput& input, const LocalProblem& problem) {
   const double gone = std::numeric_limits<double>::infinity();
   ++m_counts.ticks;
+  m_time += T;
   const bool pose = present && isHandPose(input.pose);
   const bool jumped = pose && m_seen && (input.pose.p_WB - m_lastHand.p_WB).norm() > kWildJump;
   m_doubt = pose && !jumped ? std::max(0, m_doubt - 1) : kTrustAfter + 1;
@@ -35,10 +37,12 @@ HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, co
   const double dataAge = believed ? 1e-9 * static_cast<double>(now - input.stamp) : gone;
   const double age = problem.valid ? 1e-9 * static_cast<double>(now - problem.stamp) : 0.0;
 
-  if (believed && m_seen) {
-    const Vec3 moved = input.pose.p_WB - m_lastHand.p_WB;
-    m_handle.add(m_guard.shown(), moved, T);
-    m_alone.add(m_guard.shown(), moved, T);
+  Vec3 moved = Vec3::Zero();
+  if (pose && m_seen && !jumped) {
+    moved = input.pose.p_WB - m_lastHand.p_WB;
+    m_handle.add(m_guard.shown(), moved, T, m_open);
+    m_alone.add(m_guard.shown(), moved, T, m_open);
+    m_tank.add(m_guard.shown(), moved, T, m_open);
   }
   if (problem.valid && problem.stiffness != m_wishedStiffness) {
     m_wishedStiffness = problem.stiffness;
@@ -56,7 +60,11 @@ HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, co
   m_seen = pose;
 
   Answer answer;
-  answer.force = m_guard.show(felt.force, dataAge, age, problem.dt, T);
+  answer.force = m_tank.limit(m_guard.show(felt.force, dataAge, age, problem.dt, T), moved / T, T);
+  m_guard.showed(answer.force);
+  // What a device did while it was not believed nobody knows: it begins anew.
+  m_open = answer.force.norm() < PortEnergy::kNoForce && (!believed || felt.force.norm() < PortEnergy::kNoForce);
+  m_counts.heldBack += m_tank.cut();
   const double kept = felt.force.norm() > 0 ? std::min(1.0, answer.force.norm() / felt.force.norm()) : 0.0;
   answer.torque = kept * felt.torque;
 
@@ -64,6 +72,12 @@ HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, co
   m_counts.clamped += word.clamped || felt.cut;
   m_counts.slewed += word.slewed;
   m_counts.lost += word.lost;
+  if (!word.lost && believed) {
+    ++m_counts.heard;
+    m_believedHand = input.pose;
+  } else if (m_counts.heard > 0 && word.lost && m_counts.lostOnceHeard++ == 0) {
+    m_counts.lostFrom = m_time;
+  }
   m_counts.silent += word.silent;
   m_counts.inexact += !felt.exact;
   m_counts.rows = problem.valid ? problem.rowCount : 0;

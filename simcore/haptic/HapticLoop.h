@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <optional>
 #include <span>
 
 #include "simcore/haptic/DeviceProfile.h"
+#include "simcore/haptic/EnergyTank.h"
 #include "simcore/haptic/ForceGuard.h"
 #include "simcore/haptic/HapticDevice.h"
 #include "simcore/haptic/LocalProxy.h"
@@ -22,6 +24,9 @@ struct HapticCounts {
   long ticks = 0;
   long clamped = 0, slewed = 0;  ///< ticks in which the force was cut, or its change
   long lost = 0, silent = 0;     ///< ticks in which the device or the simulation had no say
+  long heard = 0, lostOnceHeard = 0;  ///< ticks in which the device was believed; lost ones since the first of these
+  double lostFrom = 0;           ///< s of the loop's own count, of the first of those
+  long heldBack = 0;             ///< ticks in which the force was cut so that it gives no more than was put in (EnergyTank)
   long inexact = 0;              ///< ticks whose contact problem was not solved to the last row
   long overflow = 0;             ///< ticks whose problem had more rows in reach than places
   int rows = 0, rowsMax = 0, overflowMax = 0;
@@ -59,8 +64,12 @@ class HapticLoop {
   Answer tick(std::int64_t now, double T, bool present, const ToolInput& input, const LocalProblem& problem);
 
   const HapticCounts& counts() const { return m_counts; }
+  /// Nothing was loaded in the last tick, no spring and no tissue.
+  bool open() const { return m_open; }
   const HapticSettings& settings() const { return m_settings; }
   const LocalProxy& proxy() const { return m_proxy; }
+  /// Where the hand was when it was last believed; nothing before that.
+  const std::optional<Pose>& hand() const { return m_believedHand; }
 
   /// A hand that goes farther than this in a tick is none: m.
   static constexpr double kWildJump = 0.02;
@@ -72,8 +81,12 @@ class HapticLoop {
   LocalProxy m_proxy;
   ForceGuard m_guard;
   PortEnergy m_handle, m_alone;
+  EnergyTank m_tank;
+  bool m_open = true;         ///< nothing was loaded in the last tick
   HapticCounts m_counts;
   Pose m_lastHand;
+  std::optional<Pose> m_believedHand;
+  double m_time = 0;          ///< s, of all ticks
   bool m_seen = false;        ///< m_lastHand is the last tick's
   int m_doubt = 0;            ///< good ticks still wanted
   double m_wishedStiffness = -1;

@@ -57,6 +57,11 @@ const HapticStatus& HapticThread::status() {
   return m_status.front();
 }
 
+const HandWord& HapticThread::hand() {
+  m_hand.take();
+  return m_hand.front();
+}
+
 void* HapticThread::enter(void* self) {
   static_cast<HapticThread*>(self)->run();
   return nullptr;
@@ -96,6 +101,10 @@ void HapticThread::run() {
     const bool present = m_device.read(now, input);
     const auto answer = m_loop.tick(now, 1e-9 * static_cast<double>((1 + passed) * period), present, input, m_problems.front());
     m_device.write(answer.force, answer.torque);
+    if (const std::optional<Pose>& hand = m_loop.hand()) {
+      m_hand.back() = {true, *hand};
+      m_hand.publish();
+    }
     due += (1 + passed) * period;
     if (m_loop.counts().ticks % kTellEvery == 0) tell(steadyNow());
   }

@@ -24,6 +24,12 @@ struct HapticStatus {
   double latenessP50Us = 0, latenessP99Us = 0, latenessP999Us = 0, latenessMaxUs = 0;
 };
 
+/// Where a haptic thread last believed its hand to be.
+struct HandWord {
+  bool known = false;      ///< it has ever been
+  Pose hand;               ///< W
+};
+
 /// ns of the clock that all stamps here are of (steady).
 std::int64_t steadyNow();
 
@@ -45,6 +51,8 @@ class HapticThread {
   /// Shows no force any more, ends and joins; status() is then whole.
   void stop();
   const HapticStatus& status();
+  /// The newest; one thread only, which may be another one than status()'s.
+  const HandWord& hand();
   /// Samples in the log; after stop().
   std::size_t logged() const { return m_loop.logged(); }
 
@@ -57,6 +65,7 @@ class HapticThread {
   HapticDevice& m_device;
   TripleBuffer<LocalProblem>& m_problems;
   TripleBuffer<HapticStatus> m_status;
+  TripleBuffer<HandWord> m_hand;
   TickTimes m_times;
   std::int64_t m_begun = 0;
   long m_missed = 0;

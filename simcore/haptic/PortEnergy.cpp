@@ -9,13 +9,13 @@ namespace glenoid {
 PortEnergy::PortEnergy(double damping, double period)
     : m_damping(damping), m_length(std::lround(kWindow / period)), m_starts(static_cast<std::size_t>(m_length) + 2) {}
 
-void PortEnergy::add(const Vec3& force, const Vec3& moved, double seconds) {
+void PortEnergy::add(const Vec3& force, const Vec3& moved, double seconds, bool open) {
   const std::size_t room = m_starts.size();
   while (m_count > 0 && m_starts[m_first].tick < m_tick - m_length) {
     m_first = (m_first + 1) % room;
     --m_count;
   }
-  if (force.isZero(0)) {
+  if (open) {
     while (m_count > 0 && m_starts[(m_first + m_count - 1) % room].sum >= m_sum) --m_count;
     m_starts[(m_first + m_count) % room] = {m_tick, m_sum};
     ++m_count;

@@ -13,7 +13,7 @@ VirtualHand::VirtualHand(const VirtualHandSettings& settings, const Vec3& start)
       m_handle(settings.deviceDamping, settings.period / kSubsteps),
       m_alone(0, settings.period / kSubsteps) {}
 
-void VirtualHand::tick(const Vec3& commanded, const Vec3& target, const Vec3& targetVelocity) {
+void VirtualHand::tick(const Vec3& commanded, const Vec3& target, const Vec3& targetVelocity, bool loaded) {
   const auto room = static_cast<long>(m_commands.size());
   m_commands[static_cast<std::size_t>(m_tick % room)] = commanded;
   const double h = m_settings.period / kSubsteps, m = m_settings.mass, k = m_settings.stiffness, c = m_settings.damping;
@@ -24,8 +24,9 @@ void VirtualHand::tick(const Vec3& commanded, const Vec3& target, const Vec3& ta
     const Vec3 wanted = target + (s + 0.5) * h * targetVelocity;
     const Vec3 middle = (2 * m / h * m_v + force + m_settings.push + k * (wanted - m_x) + c * targetVelocity) / firm;
     const Vec3 moved = h * middle;
-    m_handle.add(force, moved, h);
-    m_alone.add(force, moved, h);
+    const bool open = !loaded && force.norm() < PortEnergy::kNoForce;
+    m_handle.add(force, moved, h, open);
+    m_alone.add(force, moved, h, open);
     m_v = 2 * middle - m_v;
     m_x += moved;
   }

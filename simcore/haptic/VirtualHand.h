@@ -27,8 +27,9 @@ class VirtualHand {
   VirtualHand(const VirtualHandSettings& settings, const Vec3& start);
 
   /// One tick: `commanded` was computed from position() as it is now; the hand wants to be at `target`, which moves at
-  /// `targetVelocity`. By the midpoint rule, which is exact in the energies that are counted.
-  void tick(const Vec3& commanded, const Vec3& target, const Vec3& targetVelocity);
+  /// `targetVelocity`. By the midpoint rule, which is exact in the energies that are counted. `loaded`: a spring is, though nothing
+  /// may be commanded.
+  void tick(const Vec3& commanded, const Vec3& target, const Vec3& targetVelocity, bool loaded = false);
 
   const Vec3& position() const { return m_x; }
   const Vec3& velocity() const { return m_v; }

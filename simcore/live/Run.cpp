@@ -132,6 +132,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
     const double time = state.time;
     // The hand's pose at the step's end is what the implicit step pulls towards.
     handsAt(model->scenario, options.input, static_cast<double>(s + 1) * dt, inputs.hands);
+    if (haptics) haptics->takeHands(static_cast<double>(s + 1) * dt, inputs.hands);
     const StepReport& step = stepper.step(inputs, state);
     if (haptics) haptics->endStep(step, state, pacer->report().slowedSeconds);
     gather.add(step, time, state.v);
@@ -201,7 +202,13 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
       if (effect.name == "haptics") effect = {effect.name, "on", model->scenario.effects.haptics == Wish::On ? "asked-on" : "auto-present", haptics->publishMs(), ""};
     std::erase_if(report.notices, [](const Notice& notice) { return notice.kind == NoticeKind::UnusedSetting && notice.subject == "haptics"; });
   }
-  if (options.record) result.recording = recordingOf(*model, options, report);
+  if (options.record) {
+    result.recording = recordingOf(*model, options, report);
+    for (HandTrack& track : haptics ? haptics->liveTracks() : std::vector<HandTrack>()) {
+      std::erase_if(result.recording->tracks, [&](const HandTrack& other) { return other.tool == track.tool; });
+      result.recording->tracks.push_back(std::move(track));
+    }
+  }
   return result;
 }
 

@@ -8,6 +8,11 @@
 
 namespace glenoid {
 
+namespace {
+/// A step in time is done long before the next one begins, and its problem is used from then on for Δt.
+constexpr double kStepsAhead = 1;
+}  // namespace
+
 /// One tool, its device and its thread. `thread` is last: it ends before what it uses.
 struct RunHaptics::Hand {
   int tool = -1;
@@ -15,7 +20,9 @@ struct RunHaptics::Hand {
   TripleBuffer<LocalProblem> problems;
   std::vector<HapticSample> log;
   std::vector<double> times;  ///< of the track, by sample
-  std::unique_ptr<RecordedHand> device;
+  const LiveHand* live = nullptr;
+  HandTrack taken;            ///< of a live hand
+  std::unique_ptr<RecordedHand> device;  ///< of one that is not
   std::unique_ptr<HapticThread> thread;
 };
 
@@ -27,7 +34,7 @@ std::string RunHaptics::reasonAgainst(const Model& model, Profile profile) {
 }
 
 RunHaptics::RunHaptics(const Model& model, Stepper& stepper, const Recording* input, const HapticWishes& wishes, double seconds)
-    : m_model(model), m_input(input), m_wishes(wishes), m_seconds(seconds), m_publisher(stepper) {
+    : m_model(model), m_input(input), m_wishes(wishes), m_seconds(seconds), m_publisher(stepper, kStepsAhead) {
   const auto room = static_cast<std::size_t>(std::ceil(std::max(0.0, std::min(seconds, wishes.compareSeconds)) * wishes.device.rate));
   for (std::size_t tool = 0; tool < model.scenario.tools.size(); ++tool) {
     if (!model.scenario.tools[tool].link.empty()) continue;
@@ -36,8 +43,15 @@ RunHaptics::RunHaptics(const Model& model, Stepper& stepper, const Recording* in
     if (input)
       for (const HandTrack& track : input->tracks)
         if (track.tool == model.scenario.tools[tool].id) hand->track = track;
-    hand->log.resize(room);
-    hand->times.resize(room);
+    for (const LiveHand& live : m_wishes.live)
+      if (live.tool == model.scenario.tools[tool].id) hand->live = &live;
+    if (hand->live) {
+      hand->taken.tool = hand->live->tool;
+      hand->taken.keys.reserve(static_cast<std::size_t>(seconds / model.scenario.dt) + 2);
+    } else {
+      hand->log.resize(room);
+      hand->times.resize(room);
+    }
     m_hands.push_back(std::move(hand));
   }
   m_publishMs.reserve(static_cast<std::size_t>(seconds / model.scenario.dt) + 1);
@@ -50,17 +64,39 @@ void RunHaptics::beginStep() {
   if (std::exchange(m_started, true)) return;
   for (const auto& hand : m_hands) {
     const Pose& home = m_model.scenario.tools[static_cast<std::size_t>(hand->tool)].home;
+    const HapticSettings settings{m_wishes.device, m_wishes.device.rate, 0};
+    if (hand->live) {
+      hand->thread = std::make_unique<HapticThread>(settings, *hand->live->device, hand->problems);
+      continue;
+    }
     hand->device = std::make_unique<RecordedHand>(hand->track, home, m_stamp, m_model.scenario.dt);
     hand->device->setLog(hand->times);
-    hand->thread = std::make_unique<HapticThread>(HapticSettings{m_wishes.device, m_wishes.device.rate, 0}, *hand->device, hand->problems, hand->log);
+    hand->thread = std::make_unique<HapticThread>(settings, *hand->device, hand->problems, hand->log);
   }
+}
+
+void RunHaptics::takeHands(double time, std::vector<Pose>& hands) {
+  for (const auto& hand : m_hands) {
+    if (!hand->live || !hand->thread) continue;
+    const HandWord& word = hand->thread->hand();
+    Pose& pose = hands[static_cast<std::size_t>(hand->tool)];
+    pose = word.known ? word.hand : m_model.scenario.tools[static_cast<std::size_t>(hand->tool)].home;
+    hand->taken.keys.push_back({time, pose});
+  }
+}
+
+std::vector<HandTrack> RunHaptics::liveTracks() const {
+  std::vector<HandTrack> tracks;
+  for (const auto& hand : m_hands)
+    if (hand->live && !hand->taken.keys.empty()) tracks.push_back(hand->taken);
+  return tracks;
 }
 
 void RunHaptics::endStep(const StepReport& step, const State& state, double behind) {
   const double begin = threadCpuMs();
   m_publisher.stepped(step);
   for (const auto& hand : m_hands) {
-    hand->device->setBehind(behind);
+    if (hand->device) hand->device->setBehind(behind);
     LocalProblem& problem = hand->problems.back();
     m_publisher.read(state, hand->tool, problem);
     if (!problem.valid) continue;  // the last one that was stays, and grows old
@@ -95,6 +131,11 @@ HapticReport RunHaptics::finish(const std::function<bool(double)>& progress) {
     tool.slewedTicks = counts.slewed;
     tool.lostTicks = counts.lost;
     tool.silentTicks = counts.silent;
+    tool.heldBackTicks = counts.heldBack;
+    if (hand->live) {
+      const double lost = static_cast<double>(counts.lostOnceHeard) / m_wishes.device.rate;
+      tool.live = LiveHandReport{hand->live->word, counts.heard > 0, lost, lost > 0 ? counts.lostFrom : 0};
+    }
     tool.problemAgeMaxMs = 1e3 * counts.problemAgeMax;
     report.ticks += counts.ticks;
     report.missed += status.missed;
@@ -108,7 +149,8 @@ HapticReport RunHaptics::finish(const std::function<bool(double)>& progress) {
     report.energyMaxJ = std::max(report.energyMaxJ, counts.energyMax);
   }
   const double seconds = std::min(m_seconds, m_wishes.compareSeconds);
-  if (seconds > 0 && !report.tools.empty()) compare(seconds, progress, report);
+  const bool live = !m_wishes.live.empty();  // what was felt depends on every hand
+  if (seconds > 0 && !report.tools.empty() && !live) compare(seconds, progress, report);
   return report;
 }
 

@@ -86,8 +86,9 @@ Json toJson(const HapticToolReport& t) {
                       {"forceMaxN", t.forceMaxN}, {"energyMaxJ", t.energyMaxJ}, {"forceErrorRms", orNull(t.forceErrorRms)},
                       {"forceRms", orNull(t.forceRms)}, {"rowsMax", t.rowsMax}});
   json.set("ticks", object({{"overflow", t.overflowTicks}, {"clamped", t.clampedTicks}, {"slewed", t.slewedTicks}, {"lost", t.lostTicks},
-                            {"silent", t.silentTicks}}));
+                            {"silent", t.silentTicks}, {"heldBack", t.heldBackTicks}}));
   json.set("problemAgeMaxMs", t.problemAgeMaxMs);
+  if (t.live) json.set("live", object({{"device", t.live->device}, {"heard", t.live->heard}, {"lostSeconds", t.live->lostSeconds}, {"lostFrom", t.live->lostFrom}}));
   return json;
 }
 

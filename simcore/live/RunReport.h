@@ -90,6 +90,13 @@ struct PaceReport {
   double slowedSeconds = 0;    ///< s that the run gave up catching up with
 };
 
+/// Somebody's own hand in a run.
+struct LiveHandReport {
+  std::string device;                            ///< as it was asked for
+  bool heard = false;                            ///< it ever said where it was
+  double lostSeconds = 0, lostFrom = 0;          ///< s, of the clock since the run began: how long it was gone, silent or wild once it had been heard, and when first
+};
+
 /// What the hand at one tool felt, and how (simcore/haptic).
 struct HapticToolReport {
   std::string tool;
@@ -98,8 +105,9 @@ struct HapticToolReport {
   double forceMaxN = 0, energyMaxJ = 0;
   std::optional<double> forceErrorRms, forceRms; ///< N, against the exact step at the haptic rate on the same path
   int rowsMax = 0;
-  long overflowTicks = 0, clampedTicks = 0, slewedTicks = 0, lostTicks = 0, silentTicks = 0;
+  long overflowTicks = 0, clampedTicks = 0, slewedTicks = 0, lostTicks = 0, silentTicks = 0, heldBackTicks = 0;
   double problemAgeMaxMs = 0;                    ///< oldest problem that a force was computed from
+  std::optional<LiveHandReport> live;            ///< nothing: it followed a track
 };
 
 /// With `--realtime`: how the haptic threads kept their clock and what they showed; the worst of all tools.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simcore/body/RigidObject.h"
+#include "simcore/step/RowsAhead.h"
 #include "simcore/step/StepWork.h"
 
 namespace glenoid {
@@ -32,10 +33,17 @@ const BoundPoseSpring* gripOf(const CouplingIslandModel& island, int tool) {
 
 }  // namespace
 
-LocalPublisher::LocalPublisher(Stepper& stepper) : m_stepper(stepper) {
+LocalPublisher::LocalPublisher(Stepper& stepper, double stepsAhead)
+    : m_stepper(stepper), m_stepsAhead(stepsAhead) {
+  if (stepsAhead > 0) m_aheadOf.resize(stepper.model().scenario.tools.size());
   m_last.resize(stepper.work().islands.size());
   m_free.resize(m_last.size());
 }
+
+LocalPublisher::~LocalPublisher() = default;
+
+const std::vector<StepContact>& LocalPublisher::contacts() const { return m_ahead ? m_ahead->contacts() : m_stepper.work().contacts; }
+const IslandRows& LocalPublisher::rowsOf(std::size_t island) const { return m_ahead ? m_ahead->rows(island) : m_stepper.work().islands[island].rows; }
 
 void LocalPublisher::stepped(const StepReport& report) {
   Stepper::Work& work = m_stepper.work();
@@ -65,56 +73,68 @@ void LocalPublisher::stepped(const StepReport& report) {
 }
 
 void LocalPublisher::chooseRows(const Bodies& bodies) {
-  const Stepper::Work& work = m_stepper.work();
-  m_slot.assign(work.contacts.size(), -1);
+  const std::vector<StepContact>& all = contacts();
+  m_slot.assign(all.size(), -1);
   m_rows.clear();
-  for (std::size_t c = 0; c < work.contacts.size(); ++c) {
-    const StepContact& contact = work.contacts[c];
-    const bool a = bodies.has(contact.objectA), b = bodies.has(contact.objectB);
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    const bool a = bodies.has(all[c].objectA), b = bodies.has(all[c].objectB);
     if (a != b) m_rows.push_back(static_cast<int>(c));
   }
+  // Of the step's own what is near is known after the solve; of those to come before it.
+  const auto far = [&](const StepContact& contact) { return m_ahead ? -contact.target : contact.speed; };
   std::stable_sort(m_rows.begin(), m_rows.end(), [&](int i, int j) {
-    const StepContact &a = work.contacts[i], &b = work.contacts[j];
+    const StepContact &a = all[i], &b = all[j];
     if ((a.impulse > 0) != (b.impulse > 0)) return a.impulse > 0;
-    return a.impulse > 0 ? a.impulse > b.impulse : a.speed < b.speed;
+    return a.impulse > 0 ? a.impulse > b.impulse : far(a) < far(b);
   });
 }
 
-void LocalPublisher::chooseOthers(int toolIsland) {
+void LocalPublisher::chooseOthers(const Bodies& bodies) {
   const Stepper::Work& work = m_stepper.work();
   m_reached.assign(work.islands.size(), 0);
   const auto reach = [&](int island) {
-    if (island < 0 || island == toolIsland || m_reached[island]) return false;
+    if (island < 0 || island == bodies.island || m_reached[island]) return false;
     m_reached[island] = 1;
     return true;
   };
+  m_given.clear();
+  m_stepSlot.assign(work.contacts.size(), -1);
   for (const int c : m_rows) {
-    reach(work.contacts[c].islandA);
-    reach(work.contacts[c].islandB);
+    reach(contacts()[c].islandA);
+    reach(contacts()[c].islandB);
   }
+  if (m_ahead)
+    for (std::size_t c = 0; c < work.contacts.size(); ++c) {
+      const StepContact& contact = work.contacts[c];
+      if (!(contact.impulse > 0) || bodies.has(contact.objectA) == bodies.has(contact.objectB)) continue;
+      m_given.push_back(static_cast<int>(c));
+      reach(contact.islandA);
+      reach(contact.islandB);
+    }
   m_others.clear();
   for (bool more = true; more;) {
     more = false;
     for (std::size_t c = 0; c < work.contacts.size(); ++c) {
       const StepContact& contact = work.contacts[c];
-      if (!(contact.impulse > 0) || contact.islandA == toolIsland || contact.islandB == toolIsland) continue;
+      if (!(contact.impulse > 0) || contact.islandA == bodies.island || contact.islandB == bodies.island) continue;
       const bool a = contact.islandA >= 0 && m_reached[contact.islandA], b = contact.islandB >= 0 && m_reached[contact.islandB];
       if (!a && !b) continue;
       if (reach(contact.islandA) || reach(contact.islandB)) more = true;
-      if (m_slot[c] == -1) {
-        m_slot[c] = -2;  // seen
+      if (m_stepSlot[c] == -1) {
+        m_stepSlot[c] = -2;  // seen
         m_others.push_back(static_cast<int>(c));
       }
     }
   }
   std::stable_sort(m_others.begin(), m_others.end(), [&](int i, int j) { return work.contacts[i].impulse > work.contacts[j].impulse; });
-  for (const int c : m_others) m_slot[c] = -1;
+  for (const int c : m_others) m_stepSlot[c] = -1;
   if (m_others.size() > kOthers) m_others.resize(kOthers);
 }
 
 void LocalPublisher::condense(double h, LocalProblem& out) {
   Stepper::Work& work = m_stepper.work();
-  const int rows = out.rowCount, n = rows + static_cast<int>(m_others.size());
+  // First the tool's rows and those of the forces that were, then what stays shut.
+  const int rows = out.rowCount, open = rows + static_cast<int>(m_given.size()), n = open + static_cast<int>(m_others.size());
   m_G.setZero(n, n);
   m_w.setZero(n);
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
@@ -122,37 +142,73 @@ void LocalPublisher::condense(double h, LocalProblem& out) {
     IslandWork& island = work.islands[i];
     m_islandRows.clear();
     m_ids.clear();
-    for (int row = 0; row < island.rows.count(); ++row) {
-      const int slot = m_slot[island.rows.contactOf(row)];
-      if (slot < 0) continue;
-      m_islandRows.push_back(island.rows.row(row));
-      m_ids.push_back(slot);
-      m_w[slot] += dot(island.rows.row(row), m_known ? m_free[i] : island.v);
-    }
+    const auto take = [&](const IslandRows& from, const std::vector<int>& slots) {
+      for (int row = 0; row < from.count(); ++row) {
+        const int slot = slots[from.contactOf(row)];
+        if (slot < 0) continue;
+        m_islandRows.push_back(from.row(row));
+        m_ids.push_back(slot);
+        m_w[slot] += dot(from.row(row), m_known ? m_free[i] : island.v);
+      }
+    };
+    take(rowsOf(i), m_slot);
+    take(island.rows, m_stepSlot);
     if (m_ids.empty()) continue;
     island.response->prepare(m_islandRows);
     island.response->addDelassus(m_ids, m_G);
   }
-  for (const std::vector<int>* list : {&m_rows, &m_others})
-    for (const int c : *list)
-      if (const int slot = m_slot[c]; slot >= 0) {
-        const StepContact& contact = work.contacts[c];
-        m_G(slot, slot) += contact.compliance;
-        m_w[slot] += contact.near->normal_W.dot(contact.drift_W);
+  const auto own = [&](const std::vector<StepContact>& list, const std::vector<int>& chosen, const std::vector<int>& slots) {
+    for (const int c : chosen)
+      if (const int slot = slots[c]; slot >= 0) {
+        if (slot < rows || slot >= open) m_G(slot, slot) += list[c].compliance;  // of forces that were only what the far side gives counts
+        m_w[slot] += list[c].near->normal_W.dot(list[c].drift_W);
       }
-  m_C = m_G.topLeftCorner(rows, rows);
-  if (const int others = n - rows; others > 0) {
+  };
+  own(contacts(), m_rows, m_slot);
+  own(work.contacts, m_others, m_stepSlot);
+  m_C = m_G.topLeftCorner(open, open);
+  if (const int others = n - open; others > 0) {
     auto shut = m_G.bottomRightCorner(others, others);
     for (int k = 0; k < others; ++k) shut(k, k) *= 1 + 1e-9;  // rows that say the same twice
     const Eigen::LLT<MatX> factor(shut);
     if (factor.info() == Eigen::Success) {
-      m_X = factor.solve(m_G.bottomLeftCorner(others, rows));
-      m_C -= m_X.transpose() * m_G.bottomLeftCorner(others, rows);
-      m_w.head(rows) -= m_X.transpose() * m_w.tail(others);
+      m_X = factor.solve(m_G.bottomLeftCorner(others, open));
+      m_C -= m_X.transpose() * m_G.bottomLeftCorner(others, open);
+      m_w.head(open) -= m_X.transpose() * m_w.tail(others);
     }
   }
-  out.C.topLeftCorner(rows, rows) = 0.5 * h * h * (m_C + m_C.transpose());
+  out.C.topLeftCorner(rows, rows) = 0.5 * h * h * (m_C.topLeftCorner(rows, rows) + m_C.topLeftCorner(rows, rows).transpose());
   for (int i = 0; i < rows; ++i) out.approach[i] = m_w[i];
+  if (!m_ahead) return;
+  // The far side stands where the forces of the step left it: those of other rows than are published.
+  for (int i = 0; i < rows; ++i) {
+    double there = 0;
+    for (int j = 0; j < rows; ++j) there += out.C(i, j) * out.force[j];
+    for (std::size_t k = 0; k < m_given.size(); ++k) there -= h * m_C(i, rows + static_cast<int>(k)) * work.contacts[m_given[k]].impulse;
+    out.slack[i] += there;
+  }
+}
+
+/// Gaps, forces and the tool's own share of each row.
+void LocalPublisher::fill(const Bodies& bodies, double h, LocalProblem& out) {
+  out.J.topRows(out.rowCount).setZero();
+  for (int i = 0; i < out.rowCount; ++i) {
+    const StepContact& contact = contacts()[m_rows[i]];
+    out.force[i] = contact.impulse / h;
+    out.slack[i] = m_ahead ? -h * contact.target : contact.impulse > 0 ? 0 : h * contact.speed;
+  }
+  const IslandRows& own = rowsOf(bodies.island);
+  for (int row = 0; row < own.count(); ++row) {
+    const int slot = m_slot[own.contactOf(row)];
+    if (slot < 0 || slot >= out.rowCount) continue;
+    for (const RowTerm& term : own.row(row))
+      for (int b = 0; b < bodies.count; ++b)
+        if (const int part = term.block - bodies.base[b]; part == 0 || part == 1)
+          out.J.block<1, 3>(slot, 6 * b + 3 * part) = term.coefficient.transpose();
+  }
+  if (!m_ahead) return;
+  for (int i = 0; i < out.rowCount; ++i)
+    for (int b = 0; b < bodies.count; ++b) out.slack[i] -= out.J.block<1, 6>(i, 6 * b).dot(m_ahead->moved(static_cast<std::size_t>(b)));
 }
 
 void LocalPublisher::read(const State& state, int tool, LocalProblem& out) {
@@ -189,30 +245,24 @@ void LocalPublisher::read(const State& state, int tool, LocalProblem& out) {
     if (out.linkCount < LocalProblem::kLinks && spring.objectA == bodies.object[0] && bodies.count > 1 && spring.objectB == bodies.object[1])
       out.links[out.linkCount++] = {spring.pointA.r_B, spring.pointB.r_B, spring.stiffness};
 
+  if (!m_aheadOf.empty()) {
+    std::unique_ptr<RowsAhead>& own = m_aheadOf[tool];
+    if (!own) own = std::make_unique<RowsAhead>(m_stepper, std::span(bodies.object.data(), static_cast<std::size_t>(bodies.count)));
+    m_ahead = own.get();
+    m_ahead->find(state, m_stepsAhead * out.dt);
+  }
   chooseRows(bodies);
   out.rowCount = std::min<int>(LocalProblem::kRows, static_cast<int>(m_rows.size()));
   out.overflow = static_cast<int>(m_rows.size()) - out.rowCount;
   m_rows.resize(out.rowCount);
-  chooseOthers(bodies.island);
+  chooseOthers(bodies);
   for (int i = 0; i < out.rowCount; ++i) m_slot[m_rows[i]] = i;
-  for (std::size_t k = 0; k < m_others.size(); ++k) m_slot[m_others[k]] = out.rowCount + static_cast<int>(k);
+  int slot = out.rowCount;
+  for (const int c : m_given) m_stepSlot[c] = slot++;
+  for (const int c : m_others) m_stepSlot[c] = slot++;
 
   const double h = work.settings.dt / work.report.parts;
-  out.J.topRows(out.rowCount).setZero();
-  for (int i = 0; i < out.rowCount; ++i) {
-    const StepContact& contact = work.contacts[m_rows[i]];
-    out.force[i] = contact.impulse / h;
-    out.slack[i] = contact.impulse > 0 ? 0 : h * contact.speed;
-  }
-  const IslandRows& own = work.islands[bodies.island].rows;
-  for (int row = 0; row < own.count(); ++row) {
-    const int slot = m_slot[own.contactOf(row)];
-    if (slot < 0 || slot >= out.rowCount) continue;
-    for (const RowTerm& term : own.row(row))
-      for (int b = 0; b < bodies.count; ++b)
-        if (const int part = term.block - bodies.base[b]; part == 0 || part == 1)
-          out.J.block<1, 3>(slot, 6 * b + 3 * part) = term.coefficient.transpose();
-  }
+  fill(bodies, h, out);
   condense(h, out);
   out.valid = true;
 }

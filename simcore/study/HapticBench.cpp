@@ -11,6 +11,10 @@
 
 namespace glenoid {
 
+namespace {
+constexpr Silences kSilences{0.7, 0.06};
+}
+
 Result<StudyTable> hapticContactTable(const DeviceProfile& device, const std::vector<double>& delays, double seconds, const HapticBars& bars,
                                       const std::function<bool(double)>& progress) {
   StudyTable table;
@@ -43,6 +47,28 @@ Result<StudyTable> hapticContactTable(const DeviceProfile& device, const std::ve
                             result->forceRms, figure(trial.compare, result->forceError), figure(trial.compare, result->forceErrorShare), kept});
       if (progress && !progress(++done / total)) return Error{Fault::Cancelled, {}, {}, "bench haptics"};
     }
+  return table;
+}
+
+Result<StudyTable> hapticSilenceTable(const DeviceProfile& device, double seconds, const HapticBars& bars, const std::function<bool(double)>& progress) {
+  StudyTable table;
+  table.id = "haptic-silence";
+  table.facts = {{"device", device.id}, {"silentEveryS", kSilences.every}, {"silentForMs", 1e3 * kSilences.length}, {"secondsEach", seconds}};
+  table.columns = {"surface", "energyMadeMJ", "loopEnergyMadeMJ", "forceMaxN", "silentTicks", "heldBackTicks", "kept"};
+  double done = 0;
+  for (const HapticSurface surface : kHapticSurfaces) {
+    HapticTrial trial;
+    trial.surface = surface;
+    trial.device = device;
+    trial.seconds = seconds;
+    trial.silentEvery = kSilences.every;
+    trial.silentFor = kSilences.length;
+    const auto result = runHapticTrial(trial);
+    if (!result) return result.error();
+    table.rows.push_back({std::string(hapticSurfaceName(surface)), 1e3 * result->energyMade, 1e3 * result->loopEnergyMade, result->forceMax,
+                          result->counts.silent, result->counts.heldBack, result->energyMade <= bars.energy});
+    if (progress && !progress(++done / static_cast<double>(std::size(kHapticSurfaces)))) return Error{Fault::Cancelled, {}, {}, "bench haptics"};
+  }
   return table;
 }
 
@@ -80,6 +106,24 @@ Result<StudyTable> hapticRecordedTable(const std::vector<std::pair<std::string, 
     for (const RecordedFeel& row : *felt)
       table.rows.push_back({name, row.tool, row.seconds, row.forceMax, row.forceRms, row.forceError, row.steadyError, 1e3 * row.energyMade,
                             static_cast<long>(row.rowsMax), static_cast<long>(row.overflowMax), row.publishMs, 1e-3 * row.tickUs});
+  }
+  return table;
+}
+
+Result<StudyTable> hapticRecordedLateTable(const std::vector<std::pair<std::string, StudyScene>>& scenes, const DeviceProfile& device, double seconds,
+                                           const HapticBars& bars, const std::function<bool(double)>& progress) {
+  StudyTable table;
+  table.id = "haptic-recorded-late";
+  table.facts = {{"device", device.id}, {"rateHz", device.rate}, {"silentEveryS", kSilences.every}, {"silentForMs", 1e3 * kSilences.length}};
+  table.columns = {"scenario", "tool", "seconds", "forceMaxN", "energyMadeMJ", "silentTicks", "heldBackTicks", "kept"};
+  double done = 0;
+  for (const auto& [name, scene] : scenes) {
+    const double length = std::min(seconds, inputSeconds(scene.input));
+    const auto felt = feelRecording(scene, device, length, [&](double fraction) { return !progress || progress((done + fraction) / static_cast<double>(scenes.size())); }, kSilences);
+    if (!felt) return felt.error();
+    ++done;
+    for (const RecordedFeel& row : *felt)
+      table.rows.push_back({name, row.tool, row.seconds, row.forceMax, 1e3 * row.energyMade, row.silent, row.heldBack, row.energyMade <= bars.energy});
   }
   return table;
 }
@@ -140,7 +184,7 @@ Result<std::vector<StudyCell>> hapticClockRow(const DeviceProfile& device, doubl
   options.input = &input;
   options.realtime = true;
   options.checks = false;
-  options.haptic = HapticWishes{device, 0};
+  options.haptic = HapticWishes{device, 0, {}};
   options.progress = progress;
   const Burners burners(load ? std::thread::hardware_concurrency() : 0);
   const auto run = runScenario(*model, options);

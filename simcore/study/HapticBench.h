@@ -23,12 +23,20 @@ struct HapticBars {
 Result<StudyTable> hapticContactTable(const DeviceProfile& device, const std::vector<double>& delays, double seconds, const HapticBars& bars,
                                       const std::function<bool(double)>& progress);
 
+/// The same hand, without added delay, while the simulation stands still for 60 ms every 0.7 s, so that forces fade and come back: what a
+/// machine that others use does to a run. A row is kept where nothing is made beyond the bar.
+Result<StudyTable> hapticSilenceTable(const DeviceProfile& device, double seconds, const HapticBars& bars, const std::function<bool(double)>& progress);
+
 /// Stable, passive and chosen stiffness of a wall against its damper at each delay: what a Z-width picture shows.
 StudyTable zWidthTable(const DeviceProfile& device, const std::vector<double>& delays);
 
 /// What the hands of recorded scenes feel (feelRecording), a row for each tool; `scenes` with the names that they are shown by.
 Result<StudyTable> hapticRecordedTable(const std::vector<std::pair<std::string, StudyScene>>& scenes, const DeviceProfile& device, double seconds,
                                        const std::function<bool(double)>& progress);
+
+/// The same hands while the simulation stands still as in hapticSilenceTable, without comparison.
+Result<StudyTable> hapticRecordedLateTable(const std::vector<std::pair<std::string, StudyScene>>& scenes, const DeviceProfile& device, double seconds,
+                                           const HapticBars& bars, const std::function<bool(double)>& progress);
 
 /// How a real thread keeps its clock while this one simulates the soft slab in time with it: `seconds`, and with `load` as many
 /// threads that only burn as the machine has processors beside. `progress` false ends it early.

@@ -18,12 +18,19 @@ struct RecordedFeel {
   double forceError = 0;              ///< N, rms of their difference there
   double steadyError = 0;             ///< N, its median there: what is left when nothing snaps from one facet to the next
   double energyMade = 0;              ///< J at the handle (PortEnergy)
+  long heldBack = 0, silent = 0;      ///< ticks (HapticCounts)
   int rowsMax = 0, overflowMax = 0;
   double publishMs = 0, tickUs = 0;   ///< mean thread CPU time of a step's publishing for all tools, and of a tick
 };
 
-/// Of each tool that a hand holds. Fails as compileModel does; Cancelled.
+/// How the simulation may be late: every so often it stands still for so long, s. Like a run in real time that gives up what it cannot
+/// catch up with, it then goes on where it stood, and the hand at half its pace until it is as far behind.
+struct Silences {
+  double every = 0, length = 0;
+};
+
+/// Of each tool that a hand holds. With silences there is no comparison with the exact step. Fails as compileModel does; Cancelled.
 Result<std::vector<RecordedFeel>> feelRecording(const StudyScene& scene, const DeviceProfile& device, double seconds,
-                                                const std::function<bool(double)>& progress);
+                                                const std::function<bool(double)>& progress, const Silences& silences = {});
 
 }  // namespace glenoid

@@ -60,7 +60,7 @@ Result<HapticTrialResult> runHapticTrial(const HapticTrial& trial) {
   if (!model) return model.error();
 
   Stepper stepper(*model, {});
-  LocalPublisher publisher(stepper);
+  LocalPublisher publisher(stepper, LocalProblem::kStepsAhead);
   State state = (*model)->start;
   Inputs inputs;
   inputs.hands = {(*model)->scenario.tools[0].home};
@@ -82,7 +82,8 @@ Result<HapticTrialResult> runHapticTrial(const HapticTrial& trial) {
   for (long k = 0; k < ticks; ++k) {
     const double time = static_cast<double>(k) * period;
     const Vec3 at = hand.position();
-    if (k % every == 0) {
+    const bool silent = trial.silentEvery > 0 && std::fmod(time, trial.silentEvery) >= trial.silentEvery - trial.silentFor;
+    if (k % every == 0 && !silent) {
       known = coming;  // of the step that began Δt ago
       inputs.hands[0].p_WB = at;
       publisher.stepped(stepper.step(inputs, state));
@@ -98,7 +99,7 @@ Result<HapticTrialResult> runHapticTrial(const HapticTrial& trial) {
     const double phase = std::fmod(time, kCycle);
     if (phase > 1.2 && phase < 1.25 && at.y() < 0) stiffness += force.y() / -at.y(), ++held;
     const Vec3 target = targetAt(trial, time);
-    hand.tick(force, target, (targetAt(trial, time + period) - target) / period);
+    hand.tick(force, target, (targetAt(trial, time + period) - target) / period, !loop.open());
   }
   result.counts = loop.counts();
   result.energyMade = hand.energyMade();

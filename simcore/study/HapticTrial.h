@@ -19,6 +19,7 @@ struct HapticTrial {
   double dt = 0.005;             ///< s, of the simulation
   double seconds = 10;           ///< cycles of 2.5 s: down, hold, up, away; every other one slides 10 mm during the hold
   double depth = 0.006;          ///< m, to where the hand wants to be
+  double silentEvery = 0, silentFor = 0;  ///< s: so often the simulation stands still, for so long; 0: never
   bool compare = false;          ///< with the exact step at the loop's rate on the same path of the hand
 };
 

@@ -92,6 +92,9 @@ const std::vector<Library>& libraries() {
       {"libzip", std::regex("^zip(conf)?\\.h$"), {"simcore/file"}},
       {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "simcore/import", "editor/render"}},
       {"libepoxy", std::regex("^(epoxy|GL|EGL|GLES\\w*)/.*"), {"editor/render"}},
+      {"libwebsockets", std::regex("^libwebsockets\\.h$"), {"simcore/device"}},
+      {"libspnav", std::regex("^spnav\\.h$"), {"simcore/device"}},
+      {"OpenIGTLink", std::regex("^igtl\\w*\\.h$"), {"simcore/device"}},
       {"CLI11", std::regex("^CLI/.*"), {"app"}},
   };
   return list;
@@ -139,7 +142,7 @@ std::string folderOf(const std::string& path) {
 const std::vector<std::string>& simcoreOrder() {
   static const std::vector<std::string> order = {"base", "linear", "mesh", "shape", "spatial", "file", "import", "repair", "embed",
                                                  "scene", "starter", "fem", "body", "tool", "coupling", "collide", "contact", "step",
-                                                 "author", "check", "export", "reading", "train", "haptic", "live", "study"};
+                                                 "author", "check", "export", "reading", "train", "haptic", "device", "live", "study"};
   return order;
 }
 

@@ -96,11 +96,18 @@ TEST(ForceGuard, dataLostWhileItFadesShortenTheFade) {
   EXPECT_EQ(guard.shown(), Vec3(0, 0, 0));
 }
 
-TEST(ForceGuard, whatComesBackRisesNoFasterThanAnythingElse) {
+TEST(ForceGuard, whatComesBackRisesEvenlyInFiftyMilliseconds) {
   ForceGuard guard = pressing();
   for (int ms = 0; ms < 10; ++ms) guard.show(Vec3(2, 0, 0), kGone, 0, 0.005, T);
-  EXPECT_DOUBLE_EQ(guard.show(Vec3(2, 0, 0), 0, 0, 0.005, T).x(), 1);
-  EXPECT_DOUBLE_EQ(guard.show(Vec3(2, 0, 0), 0, 0, 0.005, T).x(), 2);
+  for (int ms = 1; ms <= 60; ++ms) EXPECT_NEAR(guard.show(Vec3(2, 0, 0), 0, 0, 0.005, T).x(), 2 * std::min(1.0, ms / 50.0), 1e-12);
+}
+
+// A moment's silence takes away a part, and no more than that has to come back.
+TEST(ForceGuard, whatHadFadedInPartComesBackFromThere) {
+  ForceGuard guard = pressing();
+  const double faded = guard.show(Vec3(2, 0, 0), kGone, 0, 0.005, T).x();
+  EXPECT_NEAR(faded, 2 * 2 / 3.0, 1e-9);
+  EXPECT_NEAR(guard.show(Vec3(2, 0, 0), 0, 0, 0.005, T).x(), faded + 2 / 50.0, 1e-9);
 }
 
 // Missed ticks make the next one longer: a ramp keeps to the clock, not to the count.

@@ -2,6 +2,7 @@
 // A paced run that is felt: haptic threads beside it, under the thread sanitizer too.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "simcore/live/Run.h"
@@ -41,7 +42,7 @@ RunOptions felt(const Recording& input, double seconds) {
   options.input = &input;
   options.checks = false;
   options.realtime = true;
-  options.haptic = HapticWishes{strong(), 0};
+  options.haptic = HapticWishes{strong(), 0, {}};
   return options;
 }
 
@@ -84,6 +85,73 @@ TEST(RunHaptics, itsForcesAreThoseOfTheExactStepAtItsRate) {
   EXPECT_GT(*tool.forceRms, 0.1);
   // A machine that many share may be late by tens of milliseconds, in which a hand has gone on: the bench judges the figure.
   EXPECT_LT(*tool.forceErrorRms, 0.5 * *tool.forceRms);
+}
+
+/// Somebody's hand: it leans on the block as the recording does, and is gone after a while.
+class Leaner : public HapticDevice {
+ public:
+  Leaner(const Pose& home, double leavesAfter) : m_home(home), m_leavesAfter(leavesAfter) {}
+  bool read(std::int64_t now, ToolInput& input) noexcept override {
+    if (m_start == 0) m_start = now;
+    const double time = 1e-9 * static_cast<double>(now - m_start);
+    input.pose = m_home;
+    input.pose.p_WB.y() += (0.037 - m_home.p_WB.y()) * std::min(1.0, time / 0.3);
+    input.pose.p_WB.x() += 0.001 * std::sin(9 * time);
+    input.stamp = now;
+    return time < m_leavesAfter;
+  }
+  void write(const Vec3& force, const Vec3&) noexcept override {
+    most = std::max(most, force.norm());
+    last = force.norm();
+  }
+  double most = 0, last = 0;
+
+ private:
+  Pose m_home;
+  double m_leavesAfter;
+  std::int64_t m_start = 0;
+};
+
+TEST(RunHaptics, aDeviceThatHoldsAToolIsFeltRecordedAndReplayedToTheBit) {
+  const auto model = blockModel();
+  Leaner device(model->scenario.tools[0].home, 1e9);
+  RunOptions options = felt({}, 0.8);
+  options.input = nullptr;
+  options.record = true;
+  options.haptic->live = {{&device, "scripted", "finger"}};
+  const auto run = runScenario(model, options);
+  ASSERT_TRUE(run && run->recording && run->report.haptic);
+  const HapticToolReport& tool = run->report.haptic->tools[0];
+  EXPECT_GT(device.most, 0.1);
+  EXPECT_EQ(device.last, 0) << "it ends without a force";
+  ASSERT_TRUE(tool.live);
+  EXPECT_TRUE(tool.live->heard);
+  EXPECT_EQ(tool.live->device, "scripted");
+  ASSERT_EQ(run->recording->tracks.size(), 1u);
+  EXPECT_EQ(run->recording->tracks[0].keys.size(), static_cast<std::size_t>(run->report.steps));
+  RunOptions again;
+  again.steps = run->report.steps;
+  again.checks = false;
+  again.input = &*run->recording;
+  const auto replayed = runScenario(model, again);
+  ASSERT_TRUE(replayed);
+  EXPECT_EQ(replayed->report.stateHash, run->report.stateHash);
+}
+
+TEST(RunHaptics, aDeviceThatLeavesGivesNoForceAndIsReported) {
+  const auto model = blockModel();
+  Leaner device(model->scenario.tools[0].home, 0.5);
+  RunOptions options = felt({}, 0.9);
+  options.input = nullptr;
+  options.haptic->live = {{&device, "scripted", "finger"}};
+  const auto run = runScenario(model, options);
+  ASSERT_TRUE(run && run->report.haptic);
+  const LiveHandReport live = run->report.haptic->tools[0].live.value();
+  EXPECT_GT(live.lostSeconds, 0.1);
+  EXPECT_GT(live.lostFrom, 0.2);
+  EXPECT_TRUE(run->report.finite);
+  const nlohmann::json json = nlohmann::json::parse(toJson(run->report));
+  EXPECT_EQ(json["haptic"]["tools"][0]["live"]["device"], "scripted");
 }
 
 TEST(RunHaptics, whereThereIsNothingToFeelTheReportSaysWhy) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <memory>
 
 #include "simcore/base/Turns.h"
 #include "simcore/step/LocalPublisher.h"
@@ -149,6 +150,51 @@ TEST(LocalPublisher, rowsBeyondTheRoomAreCountedAndTheLoadedOnesKept) {
 TEST(LocalPublisher, theProfilePaperPublishesNothing) {
   Pressed pressed(0.003, false, Profile::Paper);
   EXPECT_FALSE(pressed.stepWith(Vec3::Zero()).valid);
+}
+
+/// Steps of a finger that presses on the block and slides, with what is published after the last of them.
+LocalProblem slidOn(double stepsAhead, std::string* hash) {
+  Scenario scenario = scenes::blockOnPlateScenario();
+  scenario.effects.friction = Wish::Off;
+  const auto model = compiled(scenes::blockOnPlateJoint(), scenario);
+  Stepper stepper(model, {});
+  std::unique_ptr<LocalPublisher> publisher;
+  if (stepsAhead >= 0) publisher = std::make_unique<LocalPublisher>(stepper, stepsAhead);
+  State state = model->start;
+  Inputs inputs;
+  inputs.hands = {scenario.tools[0].home};
+  LocalProblem problem;
+  for (int s = 0; s < 160; ++s) {
+    inputs.hands[0].p_WB.y() = 0.045 - 0.0075 * std::min(1.0, s / 60.0);
+    inputs.hands[0].p_WB.x() = scenario.tools[0].home.p_WB.x() + 4e-4 * std::max(0, std::min(s - 100, 30));
+    const StepReport& report = stepper.step(inputs, state);
+    if (!publisher) continue;
+    publisher->stepped(report);
+    publisher->read(state, 0, problem);
+  }
+  *hash = toHex(stateHash(state));
+  return problem;
+}
+
+// Looking ahead is looking, not stepping: the run has the bits of one that nobody looks at. And at rest there is nothing to foresee: the rows to come
+// hold the tool where the step's own do, under the same force.
+TEST(LocalPublisher, lookingAheadChangesNoBitAndFindsTheSameForceAtRest) {
+  std::string none, step, ahead;
+  slidOn(-1, &none);
+  const LocalProblem a = slidOn(0, &step), b = slidOn(1.5, &ahead);
+  EXPECT_EQ(none, step);
+  EXPECT_EQ(none, ahead);
+  ASSERT_TRUE(a.valid && b.valid);
+  const auto felt = [](const LocalProblem& problem) {
+    Vec3 force = Vec3::Zero();
+    for (int i = 0; i < problem.rowCount; ++i) force += problem.force[static_cast<std::size_t>(i)] * problem.J.row(i).head<3>().transpose();
+    return force;
+  };
+  EXPECT_GT(felt(a).norm(), 0.05);
+  EXPECT_LT((felt(a) - felt(b)).norm(), 1e-3 * felt(a).norm());
+  // With the step's forces every row that presses is closed, to what a step's own error is.
+  for (int i = 0; i < b.rowCount; ++i)
+    if (b.force[static_cast<std::size_t>(i)] > 0) EXPECT_NEAR(b.slack[static_cast<std::size_t>(i)], 0, 2e-6) << i;
 }
 
 // A finger that carries another: two bodies and the four springs between them.

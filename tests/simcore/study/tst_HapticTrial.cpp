@@ -85,6 +85,25 @@ TEST(HapticTrial, atRestTheHandFeelsTheContactForceOfTheStep) {
   }
 }
 
+// A simulation that stands still: forces fade, the hand goes on, they come back. What was never put in is not given.
+TEST(HapticTrial, makesNoEnergyWhenForcesFadeAndComeBack) {
+  const HapticBars bars;
+  for (const HapticSurface surface : kHapticSurfaces)
+    for (const double delay : {0.0, 0.005}) {
+      HapticTrial trial;
+      trial.surface = surface;
+      trial.device = bench();
+      trial.delay = delay;
+      trial.seconds = 5;
+      trial.silentEvery = 0.35;
+      trial.silentFor = 0.06;
+      const HapticTrialResult result = run(trial);
+      EXPECT_GT(result.counts.silent, 100);
+      EXPECT_GT(result.forceMax, 0.5);
+      EXPECT_LE(result.energyMade, bars.energy) << hapticSurfaceName(surface) << " " << delay;
+    }
+}
+
 // The bars can be missed: a device that has a tenth of the damping it claims is given energy.
 TEST(HapticTrial, aDeviceThatClaimsTooMuchDampingIsFoundOut) {
   DeviceProfile claims = bench();
