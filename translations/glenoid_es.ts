@@ -1369,6 +1369,182 @@
     </message>
 </context>
 <context>
+    <name>glenoid::EffectSentences</name>
+    <message>
+        <source>one material</source>
+        <translation>un material</translation>
+    </message>
+    <message>
+        <source>%1 materials</source>
+        <translation>%1 materiales</translation>
+    </message>
+    <message>
+        <source>one tool</source>
+        <translation>una herramienta</translation>
+    </message>
+    <message>
+        <source>%1 tools</source>
+        <translation>%1 herramientas</translation>
+    </message>
+    <message>
+        <source>one part</source>
+        <translation>una parte</translation>
+    </message>
+    <message>
+        <source>%1 parts</source>
+        <translation>%1 partes</translation>
+    </message>
+    <message>
+        <source>one coupling</source>
+        <translation>un acoplamiento</translation>
+    </message>
+    <message>
+        <source>%1 couplings</source>
+        <translation>%1 acoplamientos</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>two things counted</comment>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 can move and gravity is %2 m/s²</source>
+        <translation>hay libertad de movimiento en %1 y la gravedad es de %2 m/s²</translation>
+    </message>
+    <message>
+        <source>the joint has %1, made of springs: %2</source>
+        <translation>la articulación tiene %1, hechos de muelles: %2</translation>
+    </message>
+    <message>
+        <source>one pair of parts or tools can touch</source>
+        <translation>una pareja de partes o herramientas puede tocarse</translation>
+    </message>
+    <message>
+        <source>%1 pairs of parts and tools can touch</source>
+        <translation>%1 parejas de partes y herramientas pueden tocarse</translation>
+    </message>
+    <message>
+        <source>the joint has a bursa</source>
+        <translation>la articulación tiene una bolsa</translation>
+    </message>
+    <message>
+        <source>a friction coefficient is given to %1</source>
+        <translation>hay un coeficiente de rozamiento en %1</translation>
+    </message>
+    <message>
+        <source>damping is given to %1</source>
+        <translation>hay amortiguamiento en %1</translation>
+    </message>
+    <message>
+        <source>the joint has %1 bursae</source>
+        <translation>la articulación tiene %1 bolsas</translation>
+    </message>
+    <message>
+        <source>a hand holds %1</source>
+        <translation>una mano sostiene %1</translation>
+    </message>
+    <message>
+        <source>the scene holds something it acts on</source>
+        <translation>la escena contiene algo sobre lo que actúa</translation>
+    </message>
+    <message>
+        <source>no part can move</source>
+        <translation>ninguna parte puede moverse</translation>
+    </message>
+    <message>
+        <source>the scenario’s gravity is zero</source>
+        <translation>la gravedad del escenario es cero</translation>
+    </message>
+    <message>
+        <source>the joint has no coupling</source>
+        <translation>la articulación no tiene acoplamientos</translation>
+    </message>
+    <message>
+        <source>no two parts or tools can touch</source>
+        <translation>no hay partes ni herramientas que puedan tocarse</translation>
+    </message>
+    <message>
+        <source>no soft part can move</source>
+        <translation>ninguna parte blanda puede moverse</translation>
+    </message>
+    <message>
+        <source>the scenario names no part that may fold onto itself</source>
+        <translation>el escenario no nombra ninguna parte que pueda plegarse sobre sí misma</translation>
+    </message>
+    <message>
+        <source>no material and no tool has a friction coefficient</source>
+        <translation>ningún material ni herramienta tiene coeficiente de rozamiento</translation>
+    </message>
+    <message>
+        <source>of no two surfaces that can touch have both a friction coefficient</source>
+        <translation>no hay dos superficies que puedan tocarse y tengan ambas coeficiente de rozamiento</translation>
+    </message>
+    <message>
+        <source>no material and no coupling damps</source>
+        <translation>ningún material ni acoplamiento amortigua</translation>
+    </message>
+    <message>
+        <source>the joint has no bursa</source>
+        <translation>la articulación no tiene bolsas</translation>
+    </message>
+    <message>
+        <source>the joint’s bursae cover no surface</source>
+        <translation>las bolsas de la articulación no cubren ninguna superficie</translation>
+    </message>
+    <message>
+        <source>for no part it is known how tissue gives under a tip</source>
+        <translation>de ninguna parte se sabe cómo cede el tejido bajo una punta</translation>
+    </message>
+    <message>
+        <source>no tool has a round tip</source>
+        <translation>ninguna herramienta tiene punta redonda</translation>
+    </message>
+    <message>
+        <source>parts were changed after it had been found out how they give under a tip</source>
+        <translation>las partes cambiaron después de averiguar cómo ceden bajo una punta</translation>
+    </message>
+    <message>
+        <source>nothing in the scene for it to act on</source>
+        <translation>nada en la escena sobre lo que pueda actuar</translation>
+    </message>
+    <message>
+        <source>off, because the scenario switches it off</source>
+        <translation>desactivado, porque el escenario lo desactiva</translation>
+    </message>
+    <message>
+        <source>off, because contact is off</source>
+        <translation>desactivado, porque el contacto está desactivado</translation>
+    </message>
+    <message>
+        <source>off, because this version does not have it</source>
+        <translation>desactivado, porque esta versión no lo tiene</translation>
+    </message>
+    <message>
+        <source>off, because it is no part of a step: “run --realtime” and a device switch it on</source>
+        <translation>desactivado, porque no forma parte de un paso: lo activan «run --realtime» y un dispositivo</translation>
+    </message>
+    <message>
+        <source>off, because %1</source>
+        <translation>desactivado, porque %1</translation>
+    </message>
+    <message>
+        <source>on, because the scenario asks for it and %1</source>
+        <translation>activado, porque el escenario lo pide y %1</translation>
+    </message>
+    <message>
+        <source>on, because %1</source>
+        <translation>activado, porque %1</translation>
+    </message>
+    <message>
+        <source>contact with itself is wanted for %1</source>
+        <translation>se pide el contacto consigo misma de %1</translation>
+    </message>
+    <message>
+        <source>for %1 it is known how tissue gives under a tip, and there is a round tip on %2</source>
+        <translation>de %1 se sabe cómo cede el tejido bajo una punta, y hay punta redonda en %2</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::ExportDialog</name>
     <message>
         <source>Export</source>
@@ -3600,14 +3776,6 @@
     <message>
         <source>Effects</source>
         <translation>Efectos</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>activado</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>desactivado</translation>
     </message>
     <message>
         <source>%1:</source>

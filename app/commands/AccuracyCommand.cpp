@@ -13,13 +13,18 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/StudyCommand.h"
 #include "app/commands/StudyFiles.h"
+#include "app/commands/SweepFiles.h"
 #include "app/commands/TableText.h"
 #include "app/plot/PlotFile.h"
+#include "editor/core/Sentences.h"
+#include "simcore/base/Hash.h"
 #include "simcore/file/AtomicWrite.h"
+#include "simcore/file/Json.h"
+#include "simcore/live/BuildId.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/ResourcePaths.h"
 #include "simcore/scene/ScenarioFile.h"
-#include "simcore/file/Json.h"
+#include "simcore/scene/ScenarioJson.h"
 #include "simcore/study/accuracy/AccuracyShards.h"
 #include "simcore/study/accuracy/AccuracyTables.h"
 
@@ -28,7 +33,7 @@ namespace {
 
 struct Wishes {
   std::string scenario, out, budget, accuracy, against = "own-cells", by, input, shard;
-  bool quick = false, smallest = false, merge = false;
+  bool quick = false, smallest = false, merge = false, resume = false, status = false;
 };
 
 std::optional<AccuracyQuantity> quantityNamed(const std::string& word) {
@@ -144,8 +149,83 @@ Result<Done> setShard(const std::string& word, AccuracyOptions& options) {
   return Done{};
 }
 
+std::string hashed(const std::string& words) {
+  return toHex(hashBytes(words.data(), words.size()));
+}
+
+/// Where hands are over time, as far as a run is moved by it.
+std::string handsHash(const Recording& input) {
+  std::string tools;
+  std::vector<double> keys;
+  for (const HandTrack& track : input.tracks) {
+    tools += track.tool + "/";
+    for (const auto& key : track.keys) {
+      keys.push_back(key.time);
+      const Vec3& p = key.hand.p_WB;
+      const Quat& q = key.hand.q_WB;
+      keys.insert(keys.end(), {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()});
+    }
+  }
+  return hashed(tools + toHex(hashDoubles(keys)));
+}
+
+/// Of what a part of a sweep is: only what agrees in all of it belongs together.
+JsonValue sweepOf(const StudyScene& study, const Wishes& wishes) {
+  return jsonObject({{"study", "accuracy"},
+                     {"joint", jointHash(study.joint)},
+                     {"scenario", hashed(toText(scene_json::fromScenario(study.scenario)))},
+                     {"hands", handsHash(study.input)},
+                     {"extent", wishes.smallest ? "smallest"
+                                : wishes.quick  ? "quick"
+                                                : "full"},
+                     {"build", buildId()},
+                     {"isa", kernelIsa(false)}});
+}
+
+/// Measures a part or all, keeping what is there as it goes on. Nothing where this part was done before.
+Result<std::optional<AccuracyResult>> measure(const Wishes& wishes, const StudyScene& study,
+                                              AccuracyOptions& options) {
+  SweepFiles files(wishes.out, options.shard, wishes.shard.empty() ? 0 : options.shards,
+                   sweepOf(study, wishes));
+  const Result<bool> done = files.isDone();
+  if (!done) return done.error();
+  if (*done) {  // written whole or not at all
+    std::printf("%s is there already.\n", files.shardPath().c_str());
+    return std::optional<AccuracyResult>();
+  }
+  std::optional<AccuracyResult> before;
+  if (wishes.resume) {
+    const Result<std::optional<JsonValue>> left = files.left();
+    if (!left) return left.error();
+    if (*left) {
+      const auto base = compileModel(study.joint, study.scenario);
+      if (!base) return base.error();
+      Result<AccuracyResult> read =
+          accuracyResult(**left, settingOf(**base), accuracySettings(**base, options.quick));
+      if (!read) return read.error();
+      before = std::move(*read);
+      options.resume = &*before;
+      std::printf("Going on after %zu settings.\n", before->rows.size());
+    }
+  }
+  if (const auto begun = files.begin(0); !begun) return begun.error();
+  options.keep = [&](const AccuracyResult& soFar) -> Result<Done> {
+    if (before && soFar.rows.size() < before->rows.size()) return Done{};  // those are kept
+    return files.keep(toJson(soFar), static_cast<long>(soFar.rows.size()), soFar.settings);
+  };
+  Result<AccuracyResult> result = studyAccuracy(study, options);
+  if (!result) {
+    files.fail(sentenceOf(result.error()).toStdString());
+    return result.error();
+  }
+  if (const auto finished = files.finish(toJson(*result)); !finished) return finished.error();
+  return std::optional<AccuracyResult>(std::move(*result));
+}
+
 /// All shards of a folder as one study.
-Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& study, bool quick) {
+Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& study, const Wishes& wishes) {
+  const bool quick = wishes.quick;
+  const JsonValue of = sweepOf(study, wishes);
   const auto base = compileModel(study.joint, study.scenario);
   if (!base) return base.error();
   const std::vector<AccuracySetting> settings = accuracySettings(**base, quick);
@@ -153,7 +233,8 @@ Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& stu
   std::error_code failed;
   for (std::filesystem::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
     const std::string leaf = it->path().filename().string();
-    if (leaf.rfind("shard-", 0) == 0 && leaf.ends_with(".json")) paths.push_back(it->path().string());
+    if (leaf.rfind("shard-", 0) == 0 && leaf.ends_with(".json") && leaf.find('.') + 5 == leaf.size())
+      paths.push_back(it->path().string());
   }
   std::sort(paths.begin(), paths.end());
   if (paths.empty()) return Error{Fault::FileMissing, {inFolder(folder, "shard-1-of-….json"), "", "", {}}, {}, "study"};
@@ -161,6 +242,13 @@ Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& stu
   for (const std::string& path : paths) {
     const Result<JsonValue> json = readJson(path);
     if (!json) return json.error();
+    // A merge measures nothing, so another build may do it.
+    for (const char* same : {"study", "joint", "scenario", "hands", "extent"})
+      if ((*json)["of"][same] != of[same])
+        return Error{Fault::BadUsage,
+                     {path, "", "", {}},
+                     {std::string("this shard is of something else (its “") + same + "” is another)"},
+                     "merge"};
     Result<AccuracyResult> shard = accuracyResult(*json, settingOf(**base), settings);
     if (!shard) {
       Error error = shard.error();
@@ -176,7 +264,19 @@ Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& stu
   return error;
 }
 
+/// How far the parts of a sweep are; fails with CheckFailed while one is missing.
+Result<Done> showStatus(const std::string& folder) {
+  const Result<SweepStatus> status = sweepStatus(folder);
+  if (!status) return status.error();
+  std::fputs(status->words.c_str(), stdout);
+  return status->done ? Result<Done>(Done{})
+                      : Error{Fault::CheckFailed, {folder, "", "", {}}, {"the sweep is not whole"}, "sweep"};
+}
+
 Result<Done> accuracy(const Wishes& wishes) {
+  if (wishes.status) return showStatus(wishes.out);
+  if (wishes.resume && wishes.merge)
+    return usageError("--merge measures nothing, so there is nothing to go on with");
   if (!wishes.shard.empty() && (wishes.merge || !wishes.budget.empty() || !wishes.accuracy.empty()))
     return usageError("--shard measures a part only; --merge, --budget and --accuracy come when all parts are there");
   if (!wishes.budget.empty() && !wishes.accuracy.empty()) return usageError("--budget and --accuracy choose in two ways; give one of them");
@@ -196,21 +296,23 @@ Result<Done> accuracy(const Wishes& wishes) {
   AccuracyOptions options = wishes.smallest ? smallestAccuracy() : wishes.quick ? quickAccuracy() : AccuracyOptions();
   options.machine = machineWords();
   if (const auto set = setShard(wishes.shard, options); !set) return set.error();
-  const std::string shardFile = inFolder(wishes.out, text("shard-%d-of-%d.json", options.shard, options.shards));
-  std::error_code ignored;
-  if (!wishes.shard.empty() && std::filesystem::exists(shardFile, ignored)) {  // written whole or not at all
-    std::printf("%s is there already.\n", shardFile.c_str());
-    return Done{};
-  }
   ProgressLine progress("Measuring");
   options.progress = [&](const std::string&, double fraction) {
     progress.show(fraction);
     return true;
   };
   const StudyScene study{scene->joint, scene->scenario, *input ? **input : Recording()};
-  const Result<AccuracyResult> result = wishes.merge ? mergedIn(wishes.out, study, options.quick) : studyAccuracy(study, options);
-  if (!result) return result.error();
-  if (!wishes.shard.empty()) return writeJson(shardFile, toJson(*result));
+  std::optional<AccuracyResult> result;
+  if (wishes.merge) {
+    Result<AccuracyResult> merged = mergedIn(wishes.out, study, wishes);
+    if (!merged) return merged.error();
+    result = std::move(*merged);
+  } else {
+    Result<std::optional<AccuracyResult>> measured = measure(wishes, study, options);
+    if (!measured) return measured.error();
+    result = std::move(*measured);
+  }
+  if (!wishes.shard.empty()) return Done{};
   const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, *wish);
   const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
   const std::string name = scene->scenario.name.empty() ? scene->scenario.id : scene->scenario.name;
@@ -244,7 +346,14 @@ void addAccuracyStudy(CLI::App& study, int& status) {
       ->check(CLI::IsMember({"own-cells", "finer-cells"}));
   command->add_option("--input", wishes->input, "Hands over time: a .recording; without it the scenario's own");
   command->add_option("--shard", wishes->shard,
-                      "Measure a part of the settings, such as 3/16, into shard-3-of-16.json; one that is there is not measured again");
+                      "Measure a part of the settings, such as 3/16, into shard-3-of-16.json; one that is "
+                      "there is not measured again");
+  command->add_flag("--resume", wishes->resume,
+                    "Go on where a run of this folder and shard was stopped: settings that it finished are "
+                    "not played again; without any left it begins");
+  command->add_flag(
+      "--status", wishes->status,
+      "Measure nothing: say of each shard in the folder whether it is done; exit status 1 while one is not");
   command->add_flag("--merge", wishes->merge, "Measure nothing: put the shards in the folder together");
   command->add_flag("--quick", wishes->quick, "Fewer settings, shorter windows, coarser references: five minutes at most");
   command->add_flag("--smallest", wishes->smallest, "For tests")->group("");

@@ -2,8 +2,10 @@
 #include "app/commands/Outcome.h"
 
 #include "app/commands/Console.h"
+#include "editor/core/EffectSentences.h"
 #include "editor/core/NoticeSentences.h"
-#include "simcore/file/AtomicWrite.h"
+#include "editor/core/Sentences.h"
+#include "simcore/file/Json.h"
 #include "simcore/scene/RecordingFile.h"
 
 namespace glenoid {
@@ -47,13 +49,37 @@ std::string trainingSummary(const TrainingReport& training) {
 
 }  // namespace
 
-Result<Done> saveOutcome(const RunReport& report, const std::string& path) {
-  return writeWholeFile(path, toJson(report, [](const Notice& notice) { return sentenceOf(notice).toStdString(); }));
+namespace {
+
+/// Why an effect is on or off; empty where the model does not know it.
+std::string whyOf(const EffectReport& effect, const Model& model) {
+  for (EffectFacts& facts : effectFacts(model)) {
+    if (facts.name != effect.name) continue;
+    facts.on = effect.state == "on";
+    if (facts.on) facts.reason = effect.reason;  // haptics was switched on by the run
+    return effectSentence(facts).toStdString();
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Done> saveOutcome(const RunReport& report, const Model& model, const std::string& path) {
+  Result<JsonValue> json = parseJson(toJson(report, [](const Notice& notice) { return sentenceOf(notice).toStdString(); }), path);
+  if (!json) return json.error();
+  JsonValue effects = JsonValue::array();
+  for (std::size_t k = 0; k < report.effects.size(); ++k) {
+    JsonValue effect = (*json)["effects"][k];
+    effect.set("why", whyOf(report.effects[k], model));
+    effects.append(std::move(effect));
+  }
+  json->set("effects", std::move(effects));
+  return writeJson(path, *json);
 }
 
 Result<Done> saveOutcome(const Recording& recording, const std::string& path) { return saveRecording(recording, path); }
 
-std::string summaryOf(const RunReport& r) {
+std::string summaryOf(const RunReport& r, const Model& model) {
   std::string out = text("%s: %ld steps of %g ms, %s, %s\n", r.scenario.c_str(), r.steps, r.dt * 1e3, r.profile.c_str(),
                          r.finite ? "finite" : "NOT FINITE");
   if (r.rejectedSteps > 0) out += text("rejected:    %ld steps were not finite and not taken\n", r.rejectedSteps);
@@ -97,6 +123,7 @@ std::string summaryOf(const RunReport& r) {
       if (tool.live) out += "             " + deviceSentence(*tool.live, tool.tool) + "\n";
     }
   }
+  for (const EffectReport& effect : r.effects) out += "effect:      " + effectName(effect.name).toStdString() + " " + whyOf(effect, model) + "\n";
   for (const MarkReport& mark : r.marks)
     if (mark.begin < r.seconds)
       out += text("%-28s %.2f s at 1 N or more, %.2f N max\n", (mark.name + ":").c_str(), mark.seconds, mark.forceMax);

@@ -140,7 +140,7 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
   }
   Result<std::optional<FieldLook>> field = coloursOf(model, state, contacts, wishes, layers);
   if (!field) return field.error();
-  layers.field = std::move(*field);
+  layers.field = wishes.field ? wishes.field : std::move(*field);
   std::vector<Panel> panels = panelsOf(*sheet, model, layers, only < 0 ? std::string() : model.objects[only].id);
   if (panels.empty()) return usageError("there is nothing to show on this sheet");
   const int width = std::max(wishes.width / static_cast<int>(panels.size()), 1);

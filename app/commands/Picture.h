@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 
+#include "editor/render/Layers.h"
 #include "simcore/base/Error.h"
 #include "simcore/step/Model.h"
 #include "simcore/step/Stepper.h"
@@ -24,6 +26,7 @@ struct PictureWishes {
   std::string colour;          ///< as quantityNamed reads it; empty: parts as they look
   std::string colourRange;     ///< as checkColours reads it; empty: from the values
   bool stretchLaw = true;      ///< whether the steps had it
+  std::optional<FieldLook> field;  ///< values of its own, in place of `colour`
 };
 
 /// --colour and --colour-range. The wishes must live as long as the command.

@@ -87,8 +87,8 @@ Result<Done> replay(const Wishes& wishes) {
   if (!result) return result.error();
   result->report.scenario = recording->scenario;
   if (!wishes.report.empty())
-    if (const auto saved = saveOutcome(result->report, wishes.report); !saved) return saved.error();
-  std::fputs(summaryOf(result->report).c_str(), stdout);
+    if (const auto saved = saveOutcome(result->report, **model, wishes.report); !saved) return saved.error();
+  std::fputs(summaryOf(result->report, **model).c_str(), stdout);
   if (!wishes.check) return Done{};
   if (const auto same = checkAgainst(*recording, result->report); !same) return same.error();
   std::puts("The state at the end is the recorded one, bit by bit.");

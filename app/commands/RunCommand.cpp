@@ -226,7 +226,7 @@ Result<Done> run(const Wishes& wishes) {
   if (result->recording)
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
-    if (const auto saved = saveOutcome(result->report, wishes.report); !saved) return saved.error();
+    if (const auto saved = saveOutcome(result->report, **model, wishes.report); !saved) return saved.error();
   if (const auto saved = saveReadings(wishes, **model, *result, trace, stretchLaw); !saved) return saved;
   if (!wishes.render.empty()) {
     PictureWishes picture = wishes.picture;
@@ -234,7 +234,7 @@ Result<Done> run(const Wishes& wishes) {
     picture.stretchLaw = stretchLaw;
     if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
-  std::fputs(summaryOf(result->report).c_str(), stdout);
+  std::fputs(summaryOf(result->report, **model).c_str(), stdout);
   for (const Notice& notice : result->report.notices)
     if (notice.kind == NoticeKind::TooDeep || notice.kind == NoticeKind::TimeUp) {
       QString sentence = sentenceOf(notice);

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <thread>
 
 #include "app/commands/Console.h"
 #include "app/commands/StabilityFiles.h"
@@ -12,6 +11,7 @@
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/live/Run.h"
+#include "simcore/study/ThreadsGranted.h"
 
 namespace glenoid {
 namespace {
@@ -35,7 +35,7 @@ Result<Done> stability(const Wishes& wishes) {
   options.paper = !wishes.noPaper && options.profile != Profile::Paper;
   options.trialLimit = wishes.quick ? 40 : 120;
   options.paperLimit = wishes.quick ? 4 : 10;
-  options.threads = wishes.threads > 0 ? wishes.threads : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+  options.threads = wishes.threads > 0 ? wishes.threads : std::min(threadsGranted(), 16);
   options.only = wishes.cases;
   Result<std::vector<StabilityVerdict>> verdicts = std::vector<StabilityVerdict>{};
   {

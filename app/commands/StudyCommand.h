@@ -9,6 +9,7 @@ namespace glenoid {
 
 /// Each adds one study to `glenoid study`.
 void addAccuracyStudy(CLI::App& study, int& status);
+void addEffectsStudy(CLI::App& study, int& status);
 void addStabilityStudy(CLI::App& study, int& status);
 
 }  // namespace glenoid

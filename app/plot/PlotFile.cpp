@@ -18,7 +18,8 @@ Result<Done> write(const std::string& path, const QByteArray& bytes) {
   return writeWholeFile(path, std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
-QByteArray pngOf(const LogLogPlot& plot) {
+template <class Plot>
+QByteArray pngOf(const Plot& plot) {
   constexpr int kScale = 2;
   QImage image(kScale * kPlotWidth, kScale * kPlotHeight, QImage::Format_RGB32);
   {
@@ -32,7 +33,8 @@ QByteArray pngOf(const LogLogPlot& plot) {
   return buffer.data();
 }
 
-QByteArray svgOf(const LogLogPlot& plot) {
+template <class Plot>
+QByteArray svgOf(const Plot& plot) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QSvgGenerator generator;
@@ -47,7 +49,8 @@ QByteArray svgOf(const LogLogPlot& plot) {
   return buffer.data();
 }
 
-QByteArray pdfOf(const LogLogPlot& plot) {
+template <class Plot>
+QByteArray pdfOf(const Plot& plot) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   {
@@ -65,12 +68,20 @@ QByteArray pdfOf(const LogLogPlot& plot) {
   return buffer.data();
 }
 
-}  // namespace
-
-Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem) {
+template <class Plot>
+Result<Done> writeAll(const Plot& plot, const std::string& stem) {
   if (const auto done = write(stem + ".png", pngOf(plot)); !done) return done;
   if (const auto done = write(stem + ".svg", svgOf(plot)); !done) return done;
   return write(stem + ".pdf", pdfOf(plot));
+}
+
+}  // namespace
+
+Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem) {
+  return writeAll(plot, stem);
+}
+Result<Done> writePlot(const BarPlot& plot, const std::string& stem) {
+  return writeAll(plot, stem);
 }
 
 }  // namespace glenoid

@@ -2,6 +2,7 @@
 #pragma once
 #include <string>
 
+#include "app/plot/BarPlot.h"
 #include "app/plot/LogLogPlot.h"
 #include "simcore/base/Error.h"
 
@@ -10,5 +11,6 @@ namespace glenoid {
 /// STEM.png (twice the plot's size), STEM.svg and STEM.pdf, each written whole or not at all; text in the last two can be searched for.
 /// Needs a QGuiApplication (any platform, also offscreen). Fails as writeWholeFile does.
 Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem);
+Result<Done> writePlot(const BarPlot& plot, const std::string& stem);
 
 }  // namespace glenoid

@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/EffectSentences.h"
 #include "editor/core/JointEdits.h"
 #include "editor/core/PartEdits.h"
 #include "editor/core/PartMovement.h"
@@ -134,9 +135,9 @@ void PropertiesPanel::showScene(QVBoxLayout& layout) {
   const auto& model = m_link.snapshot().model;
   if (!model) return;
   QFormLayout* effects = group(layout, tr("Effects"));
-  for (const EffectPlan& effect : model->effects) {
-    QLabel* state = label(effect.on ? tr("on") : tr("off"));
-    state->setToolTip(effectReason(effect.reason));
+  for (const EffectFacts& effect : effectFacts(*model)) {
+    QLabel* state = label(effectSentence(effect));
+    state->setObjectName(QStringLiteral("effect-") + text(effect.name));
     effects->addRow(tr("%1:").arg(effectName(effect.name)), state);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "simcore/scene/JointFile.h"
@@ -98,6 +99,78 @@ TEST(StudyAccuracy, shardsAreMeasuredOnceAndMergeIntoOneStudy) {
   EXPECT_TRUE(std::filesystem::exists(out + "/chosen.scenario.json"));
   for (const char* wrong : {"--shard 0/2", "--shard 3/2", "--shard 1", "--shard 1/2x", "--shard 1/2 --merge", "--shard 1/2 --budget 1ms"})
     EXPECT_EQ(glenoidProgram(start + wrong).status, 2) << wrong;
+}
+
+/// As a shard that was killed leaves it: some rows, no times, no result.
+void leavePartial(const std::string& out, const std::string& stem, std::size_t rows) {
+  Json left = Json::parse(readText(out + "/" + stem + ".json"));
+  ASSERT_GT(left["rows"].size(), rows);
+  while (left["rows"].size() > rows) left["rows"].erase(left["rows"].size() - 1);
+  left["rows"][0]["contacts"] = 12345.5;  // nothing that a step could find
+  std::ofstream(out + "/" + stem + ".partial.json") << left.dump(2);
+  std::filesystem::remove(out + "/" + stem + ".json");
+}
+
+TEST(StudyAccuracy, aShardThatWasStoppedGoesOnWithoutPlayingAgainWhatItFinished) {
+  const auto folder = freshFolder();
+  const std::string scene = blockScene(folder), out = (folder / "study").string(),
+                    start = "study accuracy " + scene + " --out " + out + " --smallest --shard 1/2 ";
+  ASSERT_EQ(glenoidProgram(start + "--resume").status, 0);  // nothing to go on with: it begins
+  const Json whole = Json::parse(readText(out + "/shard-1-of-2.json"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/shard-1-of-2.partial.json"));
+  leavePartial(out, "shard-1-of-2", 2);
+  const Outcome resumed = glenoidProgram(start + "--resume");
+  ASSERT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_NE(resumed.out.find("Going on after 2 settings."), std::string::npos) << resumed.out;
+  EXPECT_FALSE(std::filesystem::exists(out + "/shard-1-of-2.partial.json"));
+  const Json after = Json::parse(readText(out + "/shard-1-of-2.json"));
+  ASSERT_EQ(after["rows"].size(), whole["rows"].size());
+  EXPECT_EQ(after["rows"][0]["contacts"], 12345.5);
+  for (std::size_t k = 0; k < whole["rows"].size(); ++k) {
+    EXPECT_EQ(after["rows"][k]["ownCellsErrors"], whole["rows"][k]["ownCellsErrors"]) << k;
+    EXPECT_EQ(after["rows"][k]["finerCellsErrors"], whole["rows"][k]["finerCellsErrors"]) << k;
+    if (whole["rows"][k]["failure"] == "") EXPECT_GT(after["rows"][k]["timed"], 0) << k;
+  }
+
+  // Another scene is refused, and so is a shard of it that is done already; nothing is lost.
+  leavePartial(out, "shard-1-of-2", 2);
+  Scenario changed = loadScenario(scene).value();
+  changed.contactDistance *= 2;
+  ASSERT_TRUE(saveScenario(changed, scene));
+  const Outcome refused = glenoidProgram(start + "--resume");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(lineCount(refused.err), 1) << refused.err;
+  EXPECT_NE(refused.err.find("shard-1-of-2.partial.json"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("scenario"), std::string::npos) << refused.err;
+  EXPECT_TRUE(std::filesystem::exists(out + "/shard-1-of-2.partial.json"));
+  std::filesystem::rename(out + "/shard-1-of-2.partial.json", out + "/shard-1-of-2.json");
+  EXPECT_EQ(glenoidProgram(start).status, 2);
+  EXPECT_EQ(glenoidProgram("study accuracy " + scene + " --out " + out + " --smallest --merge").status, 2);
+  EXPECT_EQ(glenoidProgram("study accuracy " + scene + " --out " + out + " --merge --resume").status, 2);
+}
+
+TEST(StudyAccuracy, theStatusSaysWhichShardsAreDoneAndWhichDiedWithoutAWord) {
+  const auto folder = freshFolder();
+  const std::string scene = blockScene(folder), out = (folder / "study").string(),
+                    start = "study accuracy " + scene + " --out " + out + " --smallest ";
+  EXPECT_EQ(glenoidProgram(start + "--status").status, 2);  // nothing there
+  ASSERT_EQ(glenoidProgram(start + "--shard 2/3").status, 0);
+  const Outcome some = glenoidProgram(start + "--status");
+  EXPECT_EQ(some.status, 1);
+  EXPECT_NE(some.out.find("shard 1 of 3: not begun\nshard 2 of 3: done on "), std::string::npos) << some.out;
+  // As it is left by one that was killed: no such process is there any more.
+  Json status = Json::parse(readText(out + "/shard-2-of-3.status.json"));
+  status["state"] = "running";
+  status["pid"] = 0x3fffffff;  // more than any system gives
+  std::ofstream(out + "/shard-2-of-3.status.json") << status.dump(2);
+  const Outcome killed = glenoidProgram(start + "--status");
+  EXPECT_EQ(killed.status, 1);
+  EXPECT_NE(killed.out.find("shard 2 of 3: ended without a word after "), std::string::npos) << killed.out;
+  for (const char* shard : {"--shard 1/3", "--shard 3/3"}) ASSERT_EQ(glenoidProgram(start + shard).status, 0);
+  std::filesystem::remove(out + "/shard-2-of-3.json");
+  ASSERT_EQ(glenoidProgram(start + "--shard 2/3 --resume").status, 0);
+  const Outcome whole = glenoidProgram(start + "--status");
+  EXPECT_EQ(whole.status, 0) << whole.out << whole.err;
 }
 
 TEST(StudyAccuracy, badRequestsAreRefusedAtOnce) {

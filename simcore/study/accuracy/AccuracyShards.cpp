@@ -203,14 +203,19 @@ Result<AccuracyResult> accuracyResult(const JsonValue& json, const AccuracySetti
   return result;
 }
 
+bool sameGround(const AccuracyResult& a, const AccuracyResult& b) {
+  return commonOf(a) == commonOf(b);
+}
+
 Result<AccuracyResult> mergedShards(std::span<const AccuracyResult> shards, std::size_t settings) {
   if (shards.empty()) return unusable("a study without shards");
   AccuracyResult merged = shards.front();
-  const JsonValue common = commonOf(merged);
   merged.rows.clear();
   for (const AccuracyResult& shard : shards) {
-    if (commonOf(shard) != common)
-      return unusable("shards whose windows or references differ: measure all with one build, on one instruction set, with the same scene and options");
+    if (!sameGround(shard, shards.front()))
+      return unusable(
+          "shards whose windows or references differ: measure all with one build, on one instruction set, "
+          "with the same scene and options");
     merged.rows.insert(merged.rows.end(), shard.rows.begin(), shard.rows.end());
   }
   std::sort(merged.rows.begin(), merged.rows.end(), [](const AccuracyRow& a, const AccuracyRow& b) { return a.index < b.index; });

@@ -16,8 +16,12 @@ JsonValue toJson(const AccuracyResult& result);
 /// What toJson wrote, for the settings of the same scene. Fails with Unusable where it is of other settings or no such document.
 Result<AccuracyResult> accuracyResult(const JsonValue& json, const AccuracySetting& scene, const std::vector<AccuracySetting>& settings);
 
-/// All shards as one study, rows in the order of the settings. Fails with Unusable, saying why, where a row is missing or there twice, and
-/// where windows or references differ in a bit: then build, instruction set or scene were not the same.
+/// Whether windows and references are the same bit for bit: then rows of one stand beside those of the other.
+bool sameGround(const AccuracyResult& a, const AccuracyResult& b);
+
+/// All shards as one study, rows in the order of the settings. Fails with Unusable, saying why, where a row
+/// is missing or there twice, and where windows or references differ in a bit: then build, instruction set or
+/// scene were not the same.
 Result<AccuracyResult> mergedShards(std::span<const AccuracyResult> shards, std::size_t settings);
 
 }  // namespace glenoid

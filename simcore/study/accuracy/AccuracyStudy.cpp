@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/study/accuracy/AccuracyStudy.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "simcore/study/accuracy/AccuracyShards.h"
 #include "simcore/study/accuracy/AccuracyTimes.h"
 
 namespace glenoid {
@@ -152,6 +154,12 @@ Timing scaled(Timing timing, double factor) {
   return timing;
 }
 
+const AccuracyRow* rowOf(const AccuracyResult& result, std::size_t index) {
+  const auto found = std::find_if(result.rows.begin(), result.rows.end(),
+                                  [&](const AccuracyRow& row) { return row.index == index; });
+  return found == result.rows.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 const char* againstKey(AccuracyAgainst against) { return against == AccuracyAgainst::FinerCells ? "finer-cells" : "own-cells"; }
@@ -186,6 +194,7 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
     settings.push_back(all[k]);
     indices.push_back(k);
   }
+  result.settings = static_cast<long>(settings.size());
 
   Ground ground{scene, options, *base, result.wishes, {}, {}};
   ground.whole = 1.0 + 4.0 + 2.0 * static_cast<double>(settings.size());
@@ -203,11 +212,34 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
     if (result.references[r].missing) references[r].clear();
   }
 
+  result.windows = ground.windows;
+  if (options.resume && !sameGround(*options.resume, result))
+    return Error{Fault::Unusable,
+                 {},
+                 {"a study that was stopped and whose windows or references were others: go on with the same "
+                  "build on the same instruction set"},
+                 "resume"};
+  const auto keep = [&]() -> Result<Done> { return options.keep ? options.keep(result) : Done{}; };
+  if (const auto kept = keep(); !kept) return kept.error();
+
   std::vector<std::unique_ptr<AccuracyPlayer>> players;
   for (const AccuracySetting& setting : settings) {
+    const std::size_t index = indices[result.rows.size()];
+    if (const AccuracyRow* known = options.resume ? rowOf(*options.resume, index) : nullptr) {
+      result.rows.push_back(*known);
+      result.rows.back().machine = options.machine;
+      players.push_back(nullptr);
+      if (known->failure.reason != "not-built") {
+        auto player = playerOf(ground, setting);
+        if (!player) return player.error();
+        players.back() = std::move(*player);
+      }
+      ground.done += 1;
+      continue;
+    }
     AccuracyRow& row = result.rows.emplace_back();
     row.setting = setting;
-    row.index = indices[result.rows.size() - 1];
+    row.index = index;
     row.machine = options.machine;
     row.ownCells = hasOwnCells(setting, result.scene);
     if (!ground.goOn(setting.id)) return cancelled();
@@ -217,6 +249,7 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
       row.failure = {"not-built", player.error(), 0, 0};
       players.push_back(nullptr);
       ground.done += 1;
+      if (const auto kept = keep(); !kept) return kept.error();
       continue;
     }
     const std::vector<std::size_t> which = windowsOf(ground, setting);
@@ -231,6 +264,7 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
       row.errors[r] = errorsOf(**base, *traces, those(references[r], which));
     }
     players.push_back(std::move(*player));
+    if (const auto kept = keep(); !kept) return kept.error();
   }
 
   // A setting that breaks down is timed too: what it cost until then is part of why it is no good.
@@ -245,7 +279,6 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
     row.timed = times[k].count;
     row.work = scaled(row.cpu, result.scene.dt / row.setting.dt);
   }
-  result.windows = std::move(ground.windows);
   return result;
 }
 

@@ -19,6 +19,8 @@ inline constexpr int kAccuracyReferences = 2;
 /// "finer-cells", "own-cells".
 const char* againstKey(AccuracyAgainst against);
 
+struct AccuracyResult;
+
 /// How thorough a study is. Refinements: times as many tetrahedra, and into how many parts a step is cut.
 struct AccuracyOptions {
   WindowWishes windows;            ///< grid: 0: four of the scene's steps
@@ -33,6 +35,11 @@ struct AccuracyOptions {
   std::string machine;             ///< for the rows
   std::vector<AccuracySetting> settings;  ///< in place of those that the study sweeps; the first is the scene
   std::function<bool(const std::string& what, double fraction)> progress;  ///< false cancels
+  /// Of a run that was stopped: its rows are not played again. Windows and references are made anew and must
+  /// be the same bit for bit; all are timed anew, since times are interleaved.
+  const AccuracyResult* resume = nullptr;
+  /// What is there so far, without times: when the references are made, and after every setting.
+  std::function<Result<Done>(const AccuracyResult&)> keep;
 };
 /// Within five minutes for a scene of the shoulder's size.
 AccuracyOptions quickAccuracy();
@@ -81,6 +88,7 @@ struct AccuracyResult {
   bool friction = false;
   bool hands = false;                            ///< there are tools
   int repeats = 0;
+  long settings = 0;  ///< how many this run is to have rows of
   const AccuracyReference& reference(AccuracyAgainst against) const { return references[static_cast<std::size_t>(against)]; }
 };
 

@@ -25,10 +25,17 @@ bool sameCells(const Model& a, const Model& b) {
 
 }  // namespace
 
-AccuracyPlayer::AccuracyPlayer(std::shared_ptr<const Model> base, std::shared_ptr<const Model> model, const StepperOptions& options,
-                               const Recording& input)
-    : m_base(std::move(base)), m_model(std::move(model)), m_input(input), m_stepper(m_model, options),
-      m_collision(*m_model, SurfaceKind::Collision), m_visual(*m_model, SurfaceKind::Visual), m_sameCells(sameCells(*m_base, *m_model)) {
+AccuracyPlayer::AccuracyPlayer(std::shared_ptr<const Model> base, std::shared_ptr<const Model> model,
+                               const StepperOptions& options, const Recording& input,
+                               std::shared_ptr<const Model> judge)
+    : m_base(std::move(base)),
+      m_model(std::move(model)),
+      m_judge(judge ? std::move(judge) : m_model),
+      m_input(input),
+      m_stepper(m_model, options),
+      m_collision(*m_judge, SurfaceKind::Collision),
+      m_visual(*m_judge, SurfaceKind::Visual),
+      m_sameCells(sameCells(*m_base, *m_model)) {
   for (const SceneObject& object : m_model->objects) {
     std::vector<int>& vertices = m_vertices.emplace_back();
     m_surface.emplace_back(object.visual.vertices.size());
@@ -87,6 +94,7 @@ AccuracyTrace AccuracyPlayer::play(const AccuracyWindow& window, const WindowWis
       if (m_vertices[i].empty()) continue;
       const SceneObject& object = m_model->objects[i];
       surfacePositions(object.visual, object.layout, state.q, m_surface[i]);
+      if (m_dents) sinkInto(dents, static_cast<int>(i), m_surface[i]);
       for (const int vertex : m_vertices[i]) chosen.push_back(m_surface[i][static_cast<std::size_t>(vertex)]);
     }
     m_collision.look(state.q, dents);
@@ -94,22 +102,36 @@ AccuracyTrace AccuracyPlayer::play(const AccuracyWindow& window, const WindowWis
       const double depth = m_collision.lastLook()[p].depth;
       if (depth <= trace.deepest) continue;
       trace.deepest = depth;
-      const CollisionPair& pair = m_model->collisionPairs[p];
-      trace.deepestWhere = m_model->objects[static_cast<std::size_t>(pair.surfaceA)].id + " / " + m_model->objects[static_cast<std::size_t>(pair.surfaceB)].id;
+      const CollisionPair& pair = m_judge->collisionPairs[p];
+      trace.deepestWhere = m_model->objects[static_cast<std::size_t>(pair.surfaceA)].id + " / " +
+                           m_model->objects[static_cast<std::size_t>(pair.surfaceB)].id;
     }
   }
   m_visual.look(state.q, dents);
   trace.depths.assign(count * count, 0.0);
   for (std::size_t p = 0; p < m_visual.lastLook().size(); ++p) {
-    const CollisionPair& pair = m_model->collisionPairs[p];
-    const auto a = static_cast<std::size_t>(std::min(pair.surfaceA, pair.surfaceB)), b = static_cast<std::size_t>(std::max(pair.surfaceA, pair.surfaceB));
+    const CollisionPair& pair = m_judge->collisionPairs[p];
+    const auto a = static_cast<std::size_t>(std::min(pair.surfaceA, pair.surfaceB)),
+               b = static_cast<std::size_t>(std::max(pair.surfaceA, pair.surfaceB));
     trace.depths[a * count + b] = m_visual.lastLook()[p].depth;
   }
   trace.contacts /= static_cast<double>(std::max(1L, trace.steps));
   return trace;
 }
 
-std::vector<Vec3> handForces(const Model& model, const State& state, const std::vector<Pose>& hands, const VecX& before) {
+void sinkInto(std::span<const DentView> dents, int object, std::vector<Vec3>& positions) {
+  const std::vector<Vec3> before = dents.empty() ? std::vector<Vec3>() : positions;
+  for (const DentView& dent : dents) {
+    if (dent.object != object || !(dent.radius > 0)) continue;
+    for (std::size_t v = 0; v < positions.size(); ++v)
+      positions[v] -= dent.depth *
+                      std::exp(-(before[v] - dent.point_W).squaredNorm() / (2 * dent.radius * dent.radius)) *
+                      dent.normal_W;
+  }
+}
+
+std::vector<Vec3> handForces(const Model& model, const State& state, const std::vector<Pose>& hands,
+                             const VecX& before) {
   std::vector<Vec3> forces(model.scenario.tools.size(), Vec3::Zero());
   for (const CouplingIslandModel& island : model.inside->islands)
     for (const BoundPoseSpring& bound : island.poseSprings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ struct AccuracyTrace {
 /// Plays windows of one setting. The model must hold the same objects in the same order as that of the windows' states.
 class AccuracyPlayer {
  public:
-  /// `base`: the model that the windows' states are of.
-  AccuracyPlayer(std::shared_ptr<const Model> base, std::shared_ptr<const Model> model, const StepperOptions& options, const Recording& input);
+  /// `base`: the model that the windows' states are of. `judge`: of whose pairs it is told how deep they lie
+  /// in each other; without one the model's own, which are none where contact is off.
+  AccuracyPlayer(std::shared_ptr<const Model> base, std::shared_ptr<const Model> model,
+                 const StepperOptions& options, const Recording& input,
+                 std::shared_ptr<const Model> judge = nullptr);
 
   /// The window's state in this model: cells are carried along (carryToRefined) where they differ.
   State begin(const AccuracyWindow& window) const;
@@ -41,21 +45,27 @@ class AccuracyPlayer {
   /// Hands of the step that starts from a state.
   const Inputs& inputsAt(const State& state);
   Stepper& stepper() { return m_stepper; }
+  /// From now on places lie on the surface as it is drawn: sunk where a tip dents it.
+  void countDents() { m_dents = true; }
   const Model& model() const { return *m_model; }
 
  private:
-  std::shared_ptr<const Model> m_base, m_model;
+  std::shared_ptr<const Model> m_base, m_model, m_judge;
   const Recording& m_input;
   Stepper m_stepper;
   PenetrationProbe m_collision, m_visual;
   Inputs m_inputs;
   std::vector<std::vector<int>> m_vertices;  ///< of each object's visual surface that are compared
   std::vector<std::vector<Vec3>> m_surface;  ///< scratch
-  bool m_sameCells;
+  bool m_sameCells, m_dents = false;
 };
 
-/// What the coupling of each tool does to the hand that holds it, N, W, after a step with these hands that started from hands
-/// `before` (State::hands). Zero for a tool that another carries.
-std::vector<Vec3> handForces(const Model& model, const State& state, const std::vector<Pose>& hands, const VecX& before);
+/// Lowers the vertices of an object's surface, W, by the dents that it has.
+void sinkInto(std::span<const DentView> dents, int object, std::vector<Vec3>& positions);
+
+/// What the coupling of each tool does to the hand that holds it, N, W, after a step with these hands that
+/// started from hands `before` (State::hands). Zero for a tool that another carries.
+std::vector<Vec3> handForces(const Model& model, const State& state, const std::vector<Pose>& hands,
+                             const VecX& before);
 
 }  // namespace glenoid

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window says of the joint as a whole, and its mirror image.
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 
+#include "editor/core/EffectSentences.h"
 #include "simcore/author/MirrorJoint.h"
 #include "simcore/scene/JointFile.h"
 #include "tests/editor/ui/GuiTest.h"
@@ -45,6 +47,19 @@ TEST_F(JointFieldsWindow, nameDescriptionAuthorLicenceAndSideAreEditedWithUndo) 
   EXPECT_NE(document.joint().name, "Left knee");
   EXPECT_EQ(document.joint().side, JointSide::Unsaid);
   EXPECT_EQ(child<QComboBox>("jointSide")->currentText(), QStringLiteral("none said")) << "the field follows";
+}
+
+TEST_F(JointFieldsWindow, everyEffectSaysWhyItIsOnOrOff) {
+  selection.clear();
+  ASSERT_TRUE(until([this] { return snapshot().model && child<QLabel>("effect-gravity"); }));
+  const std::vector<EffectFacts> effects = effectFacts(*snapshot().model);
+  EXPECT_EQ(effects.size(), 9u);
+  for (const EffectFacts& facts : effects) {
+    auto* label = child<QLabel>(("effect-" + facts.name).c_str());
+    ASSERT_TRUE(label) << facts.name;
+    EXPECT_EQ(label->text(), effectSentence(facts)) << facts.name;
+    EXPECT_TRUE(label->text().startsWith(facts.on ? QStringLiteral("on, because ") : QStringLiteral("off, because "))) << label->text().toStdString();
+  }
 }
 
 TEST_F(JointFieldsWindow, theMirrorImageComesIntoTheSameView) {
