@@ -52,9 +52,6 @@ double pressedTurn(const Stepper::Work& work) {
   double least = 1;  // cosine
   for (const StepContact& contact : work.contacts) {
     if (!(contact.impulse > 0) || contact.film) continue;
-    // What lies deeper than contacts reach came to lie there at the start: it is pushed out over many steps, and however finely a
-    // step is cut, what turns beside it is the tissue that gives way.
-    if (contact.near->gap < -work.model->scenario.contactDistance) continue;
     const CollisionPair& pair = work.model->collisionPairs[contact.near->pair];
     for (const auto& [index, feature] : {std::pair{pair.surfaceA, &contact.near->a}, {pair.surfaceB, &contact.near->b}}) {
       const ObjectLayout& layout = work.model->objects[index].layout;
