@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "simcore/base/Turns.h"
 #include "simcore/embed/Cells.h"
 
 namespace glenoid {
@@ -11,7 +12,7 @@ Result<Part> movedPart(const Part& part, const PartMove& move) {
   if (!(move.scale > 0) || !std::isfinite(move.scale) || !move.turn_deg.allFinite() || !move.shift_W.allFinite())
     return Error{Fault::OutOfRange, {{}, {}, part.id, {}}, {std::to_string(move.scale), "0", "inf"}, "moving a part"};
   const Vec3 radians = move.turn_deg * (std::numbers::pi / 180);
-  const Mat3 turn = (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) * Eigen::AngleAxisd(radians.x(), Vec3::UnitX())).toRotationMatrix();
+  const Mat3 turn = (turnBy(radians.z() * Vec3::UnitZ()) * turnBy(radians.y() * Vec3::UnitY()) * turnBy(radians.x() * Vec3::UnitX())).toRotationMatrix();
   const Vec3 about = part.visual ? Vec3(boundsOf(*part.visual).center()) : Vec3(Vec3::Zero());
   const bool turns = !move.turn_deg.isZero(0) || move.scale != 1;
   const auto moved = [&](const Vec3& p) { return turns ? Vec3(move.scale * (turn * (p - about)) + about + move.shift_W) : Vec3(p + move.shift_W); };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/file/Json.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/ImportSurfaces.h"
@@ -28,7 +29,7 @@ JsonValue merged(const JsonValue& general, const JsonValue& own) {
 /// Turns by quarters are exact.
 Mat3 turnAbout(int axis, double angle) {
   const auto tidy = [](double x) { return std::abs(x) < 1e-15 ? 0.0 : std::abs(std::abs(x) - 1) < 1e-15 ? std::copysign(1.0, x) : x; };
-  const double c = tidy(std::cos(angle)), s = tidy(std::sin(angle));
+  const double c = tidy(plain::cosine(angle)), s = tidy(plain::sine(angle));
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
   Mat3 R = Mat3::Identity();
   R(i, i) = R(j, j) = c;
