@@ -15,6 +15,7 @@
 
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/import/FileUnits.h"
+#include "simcore/import/Uri.h"
 
 namespace glenoid {
 namespace {
@@ -27,51 +28,39 @@ const char* endingFor(MeshFormat format) {
     case MeshFormat::Stl: return "stl";
     case MeshFormat::Gltf: return "gltf";
     case MeshFormat::Glb: return "glb";
-    case MeshFormat::ThreeMf: return "3mf";
     case MeshFormat::Dae: return "dae";
     case MeshFormat::Fbx: return "fbx";
     default: return "";
   }
 }
 
-/// Percent-encoded bytes of a URI as they are.
-std::string decoded(const std::string& uri) {
-  const auto digit = [](char c) { return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1; };
-  std::string out;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? digit(uri[i + 1]) : -1, low = high >= 0 ? digit(uri[i + 2]) : -1;
-    if (low >= 0 && high + low > 0) out += static_cast<char>(16 * high + low), i += 2;
-    else out += uri[i];
-  }
-  return out;
-}
-
 /// Lets assimp see the main file, under a name with the right ending, and regular files beside and below it.
 class FolderFiles : public Assimp::DefaultIOSystem {
  public:
-  FolderFiles(fs::path file, std::string shownAs, std::string_view instead)
+  FolderFiles(fs::path file, std::string shownAs, const InsteadOfFile& instead)
       : m_file(std::move(file)), m_folder(m_file.parent_path()), m_shownAs(std::move(shownAs)), m_instead(instead) {}
-  bool Exists(const char* name) const override { return !allowed(name).empty(); }
+  bool Exists(const char* name) const override { return isBeside(name) || !allowed(name).empty(); }
   Assimp::IOStream* Open(const char* name, const char*) override {
-    if (!m_instead.empty() && name == m_shownAs)
-      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(m_instead.data()), m_instead.size());  // the importer deletes it
+    const std::string_view bytes = name == m_shownAs ? m_instead.bytes : isBeside(name) ? m_instead.beside : std::string_view();
+    if (!bytes.empty()) return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());  // the importer deletes it
     const std::string path = allowed(name);
     return path.empty() ? nullptr : Assimp::DefaultIOSystem::Open(path.c_str(), "rb");
   }
 
  private:
+  bool isBeside(const char* name) const { return !m_instead.beside.empty() && fs::path(name).filename() == kBesideName; }
   std::string allowed(const char* name) const {
     if (name == m_shownAs) return m_file.string();
     std::error_code failed;
     fs::path whole = fs::weakly_canonical(name, failed);
-    if (!failed && !fs::is_regular_file(whole, failed)) whole = fs::weakly_canonical(decoded(name), failed);  // glTF: a URI
+    if (!failed && !fs::is_regular_file(whole, failed)) whole = fs::weakly_canonical(decodedUri(name), failed);  // glTF: a URI
     if (failed || !fs::is_regular_file(whole, failed)) return {};
     const fs::path inside = whole.lexically_relative(m_folder);
     return inside.empty() || *inside.begin() == ".." ? std::string() : whole.string();
   }
   fs::path m_file, m_folder;
   std::string m_shownAs;
-  std::string_view m_instead;
+  InsteadOfFile m_instead;
 };
 
 bool handles(const aiImporterDesc* description, const std::string& ending) {
@@ -234,7 +223,7 @@ std::string reasonIn(std::string said, const std::string& shownAs, const std::st
 
 }  // namespace
 
-Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, long long triangles, std::string_view instead) {
+Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, long long triangles, const InsteadOfFile& instead) {
   std::error_code failed;
   const fs::path file = fs::canonical(path, failed);
   if (failed) return Error{Fault::FileMissing, {path, {}, {}, {}}, {}, failed.message()};
@@ -266,11 +255,10 @@ Result<ImportedFile> readWithAssimp(const std::string& path, MeshFormat format, 
     case MeshFormat::Gltf:
     case MeshFormat::Glb: out->metresPerUnit = 1; break;  // the format's own unit
     case MeshFormat::Fbx: out->metresPerUnit = fbxUnit(*scene); break;
-    case MeshFormat::Dae:
-    case MeshFormat::ThreeMf: {
+    case MeshFormat::Dae: {
       const auto bytes = readWholeFile(path);
       if (!bytes) return bytes.error();
-      out->metresPerUnit = format == MeshFormat::Dae ? daeUnit(*bytes) : threeMfUnit(*bytes);
+      out->metresPerUnit = daeUnit(*bytes);
       break;
     }
     default: break;

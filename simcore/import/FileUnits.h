@@ -9,9 +9,4 @@ namespace glenoid {
 /// the answer is 1 where there is one and nothing where there is none.
 std::optional<double> daeUnit(std::string_view bytes);
 
-/// Metres per unit of a 3MF file, which assimp drops: the attribute `unit` of its model, millimetres where that is not
-/// named. Nothing when the model cannot be found or the unit is unknown.
-/// Source: 3D Manufacturing Format, Core Specification 1.3, section 3.4.
-std::optional<double> threeMfUnit(std::string_view bytes);
-
 }  // namespace glenoid

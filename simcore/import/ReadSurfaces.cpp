@@ -6,10 +6,12 @@
 #include "simcore/file/Ply.h"
 #include "simcore/import/AssimpRead.h"
 #include "simcore/import/FileAxes.h"
-#include "simcore/import/GltfExtensions.h"
+#include "simcore/import/gltf/GltfExtensions.h"
+#include "simcore/import/gltf/GltfPlain.h"
 #include "simcore/import/MeshFormat.h"
 #include "simcore/import/TextSurfaces.h"
-#include "simcore/import/VtkSurface.h"
+#include "simcore/import/ThreeMf.h"
+#include "simcore/import/vtk/VtkSurface.h"
 
 namespace glenoid {
 namespace {
@@ -27,7 +29,7 @@ Result<ImportedFile> parsePlySurface(std::string_view bytes, const std::string& 
 }
 
 Result<ImportedFile> readNamed(const std::string& path, MeshFormat format, long long triangles, const TextSurfaces& text) {
-  Result<ImportedFile> file = readWithAssimp(path, format, triangles, text.bytes);
+  Result<ImportedFile> file = readWithAssimp(path, format, triangles, {text.bytes, {}});
   if (file) nameSurfaces(text, format == MeshFormat::Obj, file->surfaces);
   return file;
 }
@@ -38,7 +40,14 @@ Result<ImportedFile> readGltf(const std::string& bytes, const std::string& path,
     for (const std::string& name : unknown) names += (names.empty() ? "" : ", ") + name;
     return Error{Fault::BadMesh, {path, {}, {}, {}}, {"it requires what is not understood here (" + names + "): write it without that, or in another format"}, "glTF"};
   }
-  return readWithAssimp(path, format, triangles);
+  const auto plain = plainGltf(bytes, path, format == MeshFormat::Glb);
+  if (!plain) return plain.error();
+  if (!*plain) return readWithAssimp(path, format, triangles);
+  Result<ImportedFile> file = readWithAssimp(path, format, triangles, {(*plain)->bytes, (*plain)->beside});
+  if (!file) return file;
+  addNote(file->notes, ImportNote::NodesMoved, (*plain)->skins);
+  addNote(file->notes, ImportNote::AnimationsDropped, (*plain)->lost);
+  return file;
 }
 
 Result<ImportedFile> readObj(const std::string& bytes, const std::string& path, long long triangles) {
@@ -64,6 +73,7 @@ Result<ImportedFile> readBytes(const std::string& bytes, const std::string& path
     case MeshFormat::Gltf:
     case MeshFormat::Glb: return readGltf(bytes, path, format, triangles);
     case MeshFormat::Obj: return readObj(bytes, path, triangles);
+    case MeshFormat::ThreeMf: return readThreeMf(path, triangles);
     default: return readWithAssimp(path, format, triangles);
   }
 }

@@ -50,8 +50,10 @@ bool isTextStl(std::string_view bytes) {
          (start.find("facet", at) != std::string::npos || start.find("endsolid", at) != std::string::npos);
 }
 
-TextSurfaces textStl(std::string_view bytes) {
+Result<TextSurfaces> textStl(std::string_view bytes, const std::string& path) {
   TextSurfaces out;
+  std::string last;
+  bool ended = false;
   out.bytes.reserve(bytes.size());
   if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);
   while (!bytes.empty()) {
@@ -67,19 +69,30 @@ TextSurfaces textStl(std::string_view bytes) {
     } else if (word == "endsolid") {
       line = {};
     }
+    last = word;
+    ended = word == "endsolid" || (ended && word != "solid");
     out.bytes += word;
     if (word == "solid") out.bytes += " surface";
     if (!line.empty()) out.bytes.append(" ").append(line);
     out.bytes += '\n';
   }
+  // Some writers leave the last “endsolid” out; none stops within a triangle.
+  if (!ended && last != "endfacet" && last != "solid") return Error{Fault::FileTruncated, {path, {}, {}, {}}, {}, "STL"};
   out.named = true;
   return out;
+}
+
+/// What writers call every solid of theirs (ITK, three, VTK …): no name.
+bool saysNothing(std::string name) {
+  for (char& c : name) c = lower(c);
+  static constexpr std::array<std::string_view, 7> kWords{"ascii", "exported", "stl", "mesh", "default", "unnamed", "visualization toolkit generated sla file"};
+  return std::find(kWords.begin(), kWords.end(), name) != kWords.end();
 }
 
 }  // namespace
 
 Result<TextSurfaces> stlForReader(std::string_view bytes, const std::string& path) {
-  if (isTextStl(bytes)) return textStl(bytes);
+  if (isTextStl(bytes)) return textStl(bytes, path);
   const auto fail = [&](Fault fault, const char* what) { return Error{fault, {path, {}, {}, {}}, {what}, "STL"}; };
   if (bytes.size() < 84) return fail(Fault::BadMesh, "it is neither a text STL nor long enough for a binary one");
   std::uint32_t count = 0;
@@ -130,7 +143,7 @@ TextSurfaces objForReader(std::string_view bytes) {
 void nameSurfaces(const TextSurfaces& text, bool objects, std::vector<ImportedSurface>& surfaces) {
   if (!objects) {
     if (text.names.size() == surfaces.size())
-      for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].name = text.names[i];
+      for (std::size_t i = 0; i < surfaces.size(); ++i) surfaces[i].name = saysNothing(text.names[i]) ? std::string() : text.names[i];
     return;
   }
   for (ImportedSurface& surface : surfaces) {

@@ -18,7 +18,7 @@ struct TextSurfaces {
 };
 
 /// ASCII: keywords in any case, lines or marks before the first word, names of several words. Binary: bytes behind the triangles
-/// that the header counts are left out. Fails with FileTruncated where a binary file holds fewer than it counts, and with BadMesh
+/// that the header counts are left out. Fails with FileTruncated where a file ends within a triangle or, binary, holds fewer than it counts, and with BadMesh
 /// (argument: what) for what is no STL at all.
 Result<TextSurfaces> stlForReader(std::string_view bytes, const std::string& path);
 

@@ -35,6 +35,9 @@ class StepWatch {
   /// In the thread that steps.
   virtual std::shared_ptr<const TrainingReport> training() const { return nullptr; }
 
+  /// Something that whoever steps found by itself; notices() has it from then on. In the thread that steps.
+  virtual void add(const Notice& notice) = 0;
+
   /// In the thread that steps.
   virtual RestState rest() const { return {}; }
 };

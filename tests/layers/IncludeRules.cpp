@@ -89,6 +89,7 @@ const std::vector<Library>& libraries() {
       {"valijson", std::regex("^valijson/.*"), {"simcore/file"}},
       {"nlohmann", std::regex("^nlohmann/.*"), {"simcore/file"}},
       {"xxHash", std::regex("^xxh.*"), {"simcore/base"}},
+      {"pugixml", std::regex("^pugixml\\.hpp$"), {"simcore/import"}},
       {"libzip", std::regex("^zip(conf)?\\.h$"), {"simcore/file"}},
       {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "simcore/import", "editor/render"}},
       {"libepoxy", std::regex("^(epoxy|GL|EGL|GLES\\w*)/.*"), {"editor/render"}},

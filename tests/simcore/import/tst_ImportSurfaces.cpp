@@ -286,7 +286,7 @@ TEST(ImportSurfaces, whatAGltfRequiresIsUnderstoodOrRefused) {
   for (const bool binary : {false, true}) {
     const char* name = binary ? "box.glb" : "box.gltf";
     const auto form = [&](const std::string& text) { return binary ? glb(text) : text; };
-    for (const std::string required : {"\"KHR_mesh_quantization\"", "\"EXT_meshopt_compression\"", "\"KHR_materials_unlit\",\"VENDOR_new_geometry\""}) {
+    for (const std::string required : {"\"EXT_mesh_gpu_instancing\"", "\"KHR_meshopt_compression\"", "\"KHR_materials_unlit\",\"VENDOR_new_geometry\""}) {
       const auto refused = importSurfaces(folder.put(name, form(with(samples::gltf(), required))));
       ASSERT_FALSE(refused.ok()) << required;
       const std::string last = required.substr(required.rfind(',') + 2);

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "simcore/file/ByteReader.h"
-#include "simcore/import/VtkSurface.h"
+#include "simcore/import/vtk/VtkSurface.h"
 
 namespace glenoid {
 namespace {

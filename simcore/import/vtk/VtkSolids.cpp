@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "simcore/import/VtkSurface.h"
+#include "simcore/import/vtk/VtkSurface.h"
 #include "simcore/mesh/PolygonSplit.h"
 
 namespace glenoid {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/import/VtpData.h"
+#include "simcore/import/vtk/VtpData.h"
 
 #include <array>
 #include <limits>
 
 #include "simcore/file/ByteReader.h"
-#include "simcore/import/Inflate.h"
+#include "simcore/import/vtk/Inflate.h"
 
 namespace glenoid {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/import/XmlScan.h"
+#include "simcore/import/vtk/XmlScan.h"
 
 #include <array>
 #include <utility>

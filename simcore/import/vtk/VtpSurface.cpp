@@ -3,9 +3,9 @@
 
 #include "simcore/file/ByteReader.h"
 #include "simcore/import/FileAxes.h"
-#include "simcore/import/VtkSurface.h"
-#include "simcore/import/VtpData.h"
-#include "simcore/import/XmlScan.h"
+#include "simcore/import/vtk/VtkSurface.h"
+#include "simcore/import/vtk/VtpData.h"
+#include "simcore/import/vtk/XmlScan.h"
 
 namespace glenoid {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/import/VtkSurface.h"
+#include "simcore/import/vtk/VtkSurface.h"
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/PolygonSplit.h"
 
