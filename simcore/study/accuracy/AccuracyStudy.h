@@ -19,6 +19,8 @@ inline constexpr int kAccuracyReferences = 2;
 /// "finer-cells", "own-cells".
 const char* againstKey(AccuracyAgainst against);
 
+struct AccuracyResult;
+
 /// How thorough a study is. Refinements: times as many tetrahedra, and into how many parts a step is cut.
 struct AccuracyOptions {
   WindowWishes windows;            ///< grid: 0: four of the scene's steps
@@ -33,6 +35,8 @@ struct AccuracyOptions {
   std::string machine;             ///< for the rows
   std::vector<AccuracySetting> settings;  ///< in place of those that the study sweeps; the first is the scene
   std::function<bool(const std::string& what, double fraction)> progress;  ///< false cancels
+  /// What is known so far, for who watches: after each reference, and of the row whose errors or, repeat by repeat, times have come.
+  std::function<void(const AccuracyResult&, std::optional<std::size_t> row)> told = {};
 };
 /// Within five minutes for a scene of the shoulder's size.
 AccuracyOptions quickAccuracy();
@@ -59,6 +63,7 @@ struct AccuracyRow {
   long timed = 0;                                ///< steps
   /// ms for as much simulated time as one of the scene's own steps: what settings with other time steps can be compared by.
   Timing work;
+  double roughWorkMs = 0;  ///< mean over the windows, as work, before `work` is known: measured while steps were looked at
 };
 
 /// A reference and how far its own last refinement moved it. Both are solved by `direct`; that of the scene's own cells is also
