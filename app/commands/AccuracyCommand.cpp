@@ -13,6 +13,7 @@
 #include "app/commands/OpenScene.h"
 #include "app/commands/StudyCommand.h"
 #include "app/commands/StudyFiles.h"
+#include "app/commands/StudyNews.h"
 #include "app/commands/TableText.h"
 #include "app/plot/PlotFile.h"
 #include "simcore/file/AtomicWrite.h"
@@ -176,6 +177,50 @@ Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& stu
   return error;
 }
 
+JsonValue newsOf(const Wishes& wishes, const OpenScene& scene, const std::optional<Recording>& input) {
+  JsonValue json = machineJson();
+  json.set("study", "accuracy");
+  json.set("scenario", wishes.scenario);
+  json.set("dtMs", 1e3 * scene.scenario.dt);
+  json.set("quick", wishes.quick || wishes.smallest);
+  json.set("hands", !scene.scenario.tools.empty());
+  json.set("recording", input.has_value());
+  return json;
+}
+
+/// The study itself and its files. `news`: null where nobody could follow.
+Result<Done> measure(const Wishes& wishes, const AccuracyWish& wish, const OpenScene& scene, const std::optional<Recording>& input, AccuracyOptions options,
+                     const std::string& shardFile, StudyNews* news) {
+  ProgressLine progress("Measuring");
+  options.progress = [&](const std::string& what, double fraction) {
+    progress.show(fraction);
+    if (news) news->progress(what, fraction);
+    return true;
+  };
+  if (news)
+    options.told = [&](const AccuracyResult& result, std::optional<std::size_t> row) {
+      const std::vector<StudyTable> tables = accuracyTables(result);
+      if (row) news->row(tables[0], *row, jsonObject({{"roughWorkMs", result.rows[*row].roughWorkMs}, {"ownCells", result.rows[*row].ownCells}}));
+      else news->table(tables[1]);
+    };
+  const StudyScene study{scene.joint, scene.scenario, input ? *input : Recording()};
+  const Result<AccuracyResult> result = wishes.merge ? mergedIn(wishes.out, study, options.quick) : studyAccuracy(study, options);
+  if (!result) return result.error();
+  if (!wishes.shard.empty()) return writeJson(shardFile, toJson(*result));
+  const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, wish);
+  const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
+  const std::string name = scene.scenario.name.empty() ? scene.scenario.id : scene.scenario.name;
+  if (const auto saved = saveTables(*result, wishes, scene); !saved) return saved;
+  if (const auto saved = savePlots(*result, wishes, name, wish.view, row); !saved) return saved;
+  if (row)
+    if (const auto saved = saveChosen(result->rows[*row].setting, scene, wishes); !saved) return saved;
+  std::string summary = accuracySummary(*result, name, wish.view, row) + machineWords() + ".\n";
+  if (row) summary += "Written to " + inFolder(wishes.out, "chosen.scenario.json") + ".\n";
+  if (const auto saved = writeWholeFile(inFolder(wishes.out, "summary.txt"), summary); !saved) return saved;
+  std::fputs(summary.c_str(), stdout);
+  return chosen ? Result<Done>(Done{}) : Result<Done>(chosen.error());
+}
+
 Result<Done> accuracy(const Wishes& wishes) {
   if (!wishes.shard.empty() && (wishes.merge || !wishes.budget.empty() || !wishes.accuracy.empty()))
     return usageError("--shard measures a part only; --merge, --budget and --accuracy come when all parts are there");
@@ -202,27 +247,11 @@ Result<Done> accuracy(const Wishes& wishes) {
     std::printf("%s is there already.\n", shardFile.c_str());
     return Done{};
   }
-  ProgressLine progress("Measuring");
-  options.progress = [&](const std::string&, double fraction) {
-    progress.show(fraction);
-    return true;
-  };
-  const StudyScene study{scene->joint, scene->scenario, *input ? **input : Recording()};
-  const Result<AccuracyResult> result = wishes.merge ? mergedIn(wishes.out, study, options.quick) : studyAccuracy(study, options);
-  if (!result) return result.error();
-  if (!wishes.shard.empty()) return writeJson(shardFile, toJson(*result));
-  const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, *wish);
-  const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
-  const std::string name = scene->scenario.name.empty() ? scene->scenario.id : scene->scenario.name;
-  if (const auto saved = saveTables(*result, wishes, *scene); !saved) return saved;
-  if (const auto saved = savePlots(*result, wishes, name, wish->view, row); !saved) return saved;
-  if (row)
-    if (const auto saved = saveChosen(result->rows[*row].setting, *scene, wishes); !saved) return saved;
-  std::string summary = accuracySummary(*result, name, wish->view, row) + machineWords() + ".\n";
-  if (row) summary += "Written to " + inFolder(wishes.out, "chosen.scenario.json") + ".\n";
-  if (const auto saved = writeWholeFile(inFolder(wishes.out, "summary.txt"), summary); !saved) return saved;
-  std::fputs(summary.c_str(), stdout);
-  return chosen ? Result<Done>(Done{}) : Result<Done>(chosen.error());
+  std::optional<StudyNews> news;  // of the whole study: shards beside each other would write over each other
+  if (wishes.shard.empty() && !wishes.merge) news.emplace(wishes.out, newsOf(wishes, *scene, *input));
+  const Result<Done> done = measure(wishes, *wish, *scene, *input, std::move(options), shardFile, news ? &*news : nullptr);
+  if (news) news->end(done);
+  return done;
 }
 
 }  // namespace

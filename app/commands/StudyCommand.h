@@ -10,5 +10,7 @@ namespace glenoid {
 /// Each adds one study to `glenoid study`.
 void addAccuracyStudy(CLI::App& study, int& status);
 void addStabilityStudy(CLI::App& study, int& status);
+/// What they found, as one document.
+void addStudyReport(CLI::App& study, int& status);
 
 }  // namespace glenoid

@@ -32,21 +32,6 @@ QByteArray pngOf(const LogLogPlot& plot) {
   return buffer.data();
 }
 
-QByteArray svgOf(const LogLogPlot& plot) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  QSvgGenerator generator;
-  generator.setOutputDevice(&buffer);
-  generator.setSize(QSize(kPlotWidth, kPlotHeight));
-  generator.setViewBox(QRect(0, 0, kPlotWidth, kPlotHeight));
-  generator.setTitle(QString::fromStdString(plot.title));
-  {
-    QPainter painter(&generator);
-    draw(painter, plot);
-  }
-  return buffer.data();
-}
-
 QByteArray pdfOf(const LogLogPlot& plot) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
@@ -67,9 +52,24 @@ QByteArray pdfOf(const LogLogPlot& plot) {
 
 }  // namespace
 
+QByteArray plotSvg(const LogLogPlot& plot) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(QSize(kPlotWidth, kPlotHeight));
+  generator.setViewBox(QRect(0, 0, kPlotWidth, kPlotHeight));
+  generator.setTitle(QString::fromStdString(plot.title));
+  {
+    QPainter painter(&generator);
+    draw(painter, plot);
+  }
+  return buffer.data();
+}
+
 Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem) {
   if (const auto done = write(stem + ".png", pngOf(plot)); !done) return done;
-  if (const auto done = write(stem + ".svg", svgOf(plot)); !done) return done;
+  if (const auto done = write(stem + ".svg", plotSvg(plot)); !done) return done;
   return write(stem + ".pdf", pdfOf(plot));
 }
 

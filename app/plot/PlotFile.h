@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QByteArray>
 #include <string>
 
 #include "app/plot/LogLogPlot.h"
@@ -10,5 +11,8 @@ namespace glenoid {
 /// STEM.png (twice the plot's size), STEM.svg and STEM.pdf, each written whole or not at all; text in the last two can be searched for.
 /// Needs a QGuiApplication (any platform, also offscreen). Fails as writeWholeFile does.
 Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem);
+
+/// The same SVG as bytes.
+QByteArray plotSvg(const LogLogPlot& plot);
 
 }  // namespace glenoid

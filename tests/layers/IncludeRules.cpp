@@ -93,6 +93,7 @@ const std::vector<Library>& libraries() {
       {"zlib", std::regex("^z(lib|conf)\\.h$"), {"simcore/file", "simcore/import", "editor/render"}},
       {"libepoxy", std::regex("^(epoxy|GL|EGL|GLES\\w*)/.*"), {"editor/render"}},
       {"CLI11", std::regex("^CLI/.*"), {"app"}},
+      {"QCustomPlot", std::regex("^qcustomplot\\.h$"), {"editor/ui"}},
   };
   return list;
 }
@@ -144,7 +145,7 @@ const std::vector<std::string>& simcoreOrder() {
 }
 
 const std::vector<std::string>& editorOrder() {
-  static const std::vector<std::string> order = {"render", "core", "ui"};
+  static const std::vector<std::string> order = {"render", "core", "lab", "ui"};
   return order;
 }
 
@@ -185,8 +186,8 @@ Findings checkQt(const SourceTree& tree, const std::set<std::string>& widgetHead
       if (!isQt(include)) continue;
       if (withoutQt) findings.push_back(at(file, include.line, "Qt has no place here: " + include.path));
       const bool widget = widgetHeaders.count(qtName(include.path)) || include.path.find("Widgets") != std::string::npos;
-      if (folder == "editor/core" && widget)
-        findings.push_back(at(file, include.line, "a widget in editor/core: " + include.path));
+      if ((folder == "editor/core" || folder == "editor/lab") && widget)
+        findings.push_back(at(file, include.line, "a widget in " + folder + ": " + include.path));
     }
   }
   return findings;
