@@ -14,6 +14,7 @@
 #include "editor/ui/MainWindow.h"
 #include "editor/ui/Resources.h"
 #include "editor/ui/Theme.h"
+#include "editor/ui/Workspaces.h"
 
 namespace glenoid {
 namespace {
@@ -44,7 +45,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   Selection selection;
   DisplayState display;
   PlayLink link(document);
-  MainWindow window({document, link, display, selection}, probeGraphics(), loadScene, saveScene, startScene);
+  MainWindow window({document, link, display, selection}, probeGraphics(), loadScene, saveScene, startScene, labServices(QCoreApplication::applicationFilePath()));
   QObject::connect(&window, &MainWindow::languageWanted, [&settings](const QString& code) {
     setLanguage(code);
     settings.setValue(QStringLiteral("language"), code);
@@ -53,6 +54,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
     applyTheme(application, loadTheme(dark));
     settings.setValue(QStringLiteral("dark"), dark);
   });
+  window.workspaces().show(settings.value(QStringLiteral("workspace")).toString());
   window.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   window.restoreState(settings.value(QStringLiteral("state")).toByteArray());
   WindowRecords records(document, link, window.tasks(), options.records);
@@ -65,6 +67,7 @@ int runStudio(QApplication& application, const StudioOptions& options) {
   const int status = application.exec();
   settings.setValue(QStringLiteral("geometry"), window.saveGeometry());
   settings.setValue(QStringLiteral("state"), window.saveState());
+  settings.setValue(QStringLiteral("workspace"), window.workspaces().current());
   return status;
 }
 

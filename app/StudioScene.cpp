@@ -5,9 +5,11 @@
 
 #include "app/Resources.h"
 #include "app/commands/OpenScene.h"
+#include "app/commands/StabilityFiles.h"
 #include "simcore/author/BuildJoint.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/RecipeFile.h"
+#include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "simcore/scene/training/TrainingCheck.h"
 #include "simcore/live/RunReport.h"
@@ -88,6 +90,20 @@ Result<Scene> loadScene(const std::string& word) {
   if (!input.ok()) return input.error();
   if (*input) scene.input = std::make_shared<const Recording>(std::move(**input));
   return scene;
+}
+
+LabServices labServices(const QString& program) {
+  LabServices services;
+  services.program = program;
+  services.loader = loadScene;
+  services.trial = [](const std::string& path) -> Result<TrialToReplay> {
+    const Result<Recording> recording = loadRecording(path);
+    if (!recording) return recording.error();
+    Result<StabilityAgain> again = openStabilityAgain(*recording);
+    if (!again) return again.error();
+    return TrialToReplay{std::move(again->run), again->trial.id(), recording->steps, recording->stateHash, std::move(again->stage)};
+  };
+  return services;
 }
 
 Result<std::string> startScene(const std::string& kind, const std::string& folder, const std::function<bool(double)>& goOn) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "editor/core/Document.h"
+#include "editor/lab/LabServices.h"
 
 namespace glenoid {
 
@@ -13,5 +14,8 @@ Result<std::string> startScene(const std::string& kind, const std::string& folde
 
 /// Writes NAME.scenario.json and, beside it, NAME.joint; the scenario refers to that joint.
 Result<Done> saveScene(const Scene& scene, const std::string& path);
+
+/// What the lab asks for. `program`: glenoid itself, which runs studies.
+LabServices labServices(const QString& program);
 
 }  // namespace glenoid

@@ -373,6 +373,23 @@
     </message>
 </context>
 <context>
+    <name>glenoid::IslandRows</name>
+    <message numerus="yes">
+        <source>%1 touches %2: %n contact(s), %3 N</source>
+        <translation>
+            <numerusform>%1 touches %2: %n contact, %3 N</numerusform>
+            <numerusform>%1 touches %2: %n contacts, %3 N</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 touches itself: %n contact(s), %2 N</source>
+        <translation>
+            <numerusform>%1 touches itself: %n contact, %2 N</numerusform>
+            <numerusform>%1 touches itself: %n contacts, %2 N</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>glenoid::JobsBar</name>
     <message numerus="yes">
         <source>%1 (about %n minute(s) left)</source>
@@ -468,6 +485,23 @@
         <translation>
             <numerusform>%n island</numerusform>
             <numerusform>%n islands</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StudyBar</name>
+    <message numerus="yes">
+        <source>%1 % done, about %n second(s) left</source>
+        <translation>
+            <numerusform>%1 % done, about %n second left</numerusform>
+            <numerusform>%1 % done, about %n seconds left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 % done, about %n minute(s) left</source>
+        <translation>
+            <numerusform>%1 % done, about %n minute left</numerusform>
+            <numerusform>%1 % done, about %n minutes left</numerusform>
         </translation>
     </message>
 </context>

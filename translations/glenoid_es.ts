@@ -2,6 +2,196 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="es_ES">
 <context>
+    <name>glenoid::AccuracyPanel</name>
+    <message>
+        <source>There is no reference of this kind: %1</source>
+        <translation>No hay referencia de este tipo: %1</translation>
+    </message>
+    <message>
+        <source>Within 5 ms, %1 is nearest: %2 of %3 error, %4 a step.</source>
+        <translation>Dentro de 5 ms, lo más cercano es: %1; error de %3 de %2, %4 por paso.</translation>
+    </message>
+    <message>
+        <source>No setting stays within 5 ms.</source>
+        <translation>Ningún ajuste cabe en 5 ms.</translation>
+    </message>
+    <message>
+        <source>Run a study, and each setting becomes a point: the nearer to the lower left the better.</source>
+        <translation>Haga un estudio y cada ajuste será un punto: cuanto más abajo y a la izquierda, mejor.</translation>
+    </message>
+    <message>
+        <source>Point at a setting to see what it is; click it to choose it.</source>
+        <translation>Señale un ajuste para ver qué es; pulse sobre él para elegirlo.</translation>
+    </message>
+    <message>
+        <source>No error can be given: %1.</source>
+        <translation>No se puede dar un error: %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 error, largest for %3; %4 a step, %5 in 95 of 100.</source>
+        <translation>Error de %2 de %1, el mayor en %3; %4 por paso, %5 en 95 de cada 100.</translation>
+    </message>
+    <message>
+        <source>That is less than the reference’s own error.</source>
+        <translation>Es menos que el error propio de la referencia.</translation>
+    </message>
+    <message>
+        <source>Its time is a guess until times are taken.</source>
+        <translation>Su tiempo es una estimación hasta que se midan los tiempos.</translation>
+    </message>
+    <message>
+        <source>No scenario can say it, so it cannot be applied.</source>
+        <translation>Ningún escenario puede expresarlo, así que no se puede aplicar.</translation>
+    </message>
+    <message>
+        <source>%1 is less than twice the reference’s own error, %2: nothing can be told apart there.</source>
+        <translation>%1 es menos que el doble del error propio de la referencia, %2: ahí no se puede distinguir nada.</translation>
+    </message>
+    <message>
+        <source>No setting is that accurate.</source>
+        <translation>Ningún ajuste es tan exacto.</translation>
+    </message>
+    <message>
+        <source>No setting stays within %1.</source>
+        <translation>Ningún ajuste cabe en %1.</translation>
+    </message>
+    <message>
+        <source>Read the studied scene</source>
+        <translation>Leer la escena estudiada</translation>
+    </message>
+    <message>
+        <source>Prepare the setting</source>
+        <translation>Preparar el ajuste</translation>
+    </message>
+    <message>
+        <source>The scene has this setting already.</source>
+        <translation>La escena ya tiene este ajuste.</translation>
+    </message>
+    <message>
+        <source>%1 Undo brings back what was.</source>
+        <translation>%1 Deshacer devuelve lo que había.</translation>
+    </message>
+    <message>
+        <source>Before: the scene as it was studied</source>
+        <translation>Antes: la escena tal como se estudió</translation>
+    </message>
+    <message>
+        <source>After: %1</source>
+        <translation>Después: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Error of</source>
+        <translation>&amp;Error de</translation>
+    </message>
+    <message>
+        <source>a&amp;gainst</source>
+        <translation>&amp;frente a</translation>
+    </message>
+    <message>
+        <source>Which error is shown</source>
+        <translation>Qué error se muestra</translation>
+    </message>
+    <message>
+        <source>With what settings are compared</source>
+        <translation>Con qué se comparan los ajustes</translation>
+    </message>
+    <message>
+        <source>Most accurate within</source>
+        <translation>El más exacto dentro de</translation>
+    </message>
+    <message>
+        <source>Fastest that reaches</source>
+        <translation>El más rápido que alcanza</translation>
+    </message>
+    <message>
+        <source>How a setting is chosen</source>
+        <translation>Cómo se elige un ajuste</translation>
+    </message>
+    <message>
+        <source>Budget or accuracy</source>
+        <translation>Presupuesto o exactitud</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Elegir</translation>
+    </message>
+    <message>
+        <source>Choose the setting that this asks for</source>
+        <translation>Elegir el ajuste que esto pide</translation>
+    </message>
+    <message>
+        <source>&amp;Apply to the scene</source>
+        <translation>&amp;Aplicar a la escena</translation>
+    </message>
+    <message>
+        <source>Let the scene run with the chosen setting; can be undone</source>
+        <translation>Hacer que la escena use el ajuste elegido; se puede deshacer</translation>
+    </message>
+    <message>
+        <source>&amp;Before and after</source>
+        <translation>An&amp;tes y después</translation>
+    </message>
+    <message>
+        <source>Draw the same moment of the run with the scene’s setting and with the chosen one, side by side</source>
+        <translation>Dibujar el mismo momento con el ajuste de la escena y con el elegido, uno junto a otro</translation>
+    </message>
+    <message>
+        <source>a&amp;t</source>
+        <translation>e&amp;n</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Moment of the run that is drawn</source>
+        <translation>Momento que se dibuja</translation>
+    </message>
+    <message>
+        <source>Error beside computing time, a point for each setting</source>
+        <translation>Error frente a tiempo de cálculo, un punto por ajuste</translation>
+    </message>
+    <message>
+        <source>The arrow keys go through the settings, Enter chooses one</source>
+        <translation>Las flechas recorren los ajustes, Intro elige uno</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::AccuracyPlot</name>
+    <message>
+        <source>Error of %1, mm</source>
+        <translation>Error de %1, mm</translation>
+    </message>
+    <message>
+        <source>Error of %1, N</source>
+        <translation>Error de %1, N</translation>
+    </message>
+    <message>
+        <source>Computing time for %1 ms of simulated time, ms</source>
+        <translation>Tiempo de cálculo por %1 ms de tiempo simulado, ms</translation>
+    </message>
+    <message>
+        <source>%1 (real time)</source>
+        <translation>%1 (tiempo real)</translation>
+    </message>
+    <message>
+        <source>no other is both faster and nearer</source>
+        <translation>ninguno es a la vez más rápido y más cercano</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::Anatomy</name>
     <message>
         <source>Acromial part of the deltoid</source>
@@ -1417,6 +1607,85 @@
     </message>
 </context>
 <context>
+    <name>glenoid::EffectPrices</name>
+    <message>
+        <source>Forces and stiffness</source>
+        <translation>Fuerzas y rigidez</translation>
+    </message>
+    <message>
+        <source>Factorization</source>
+        <translation>Factorización</translation>
+    </message>
+    <message>
+        <source>Free motion</source>
+        <translation>Movimiento libre</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Superficies</translation>
+    </message>
+    <message>
+        <source>Search for contacts</source>
+        <translation>Búsqueda de contactos</translation>
+    </message>
+    <message>
+        <source>Search for self-contacts</source>
+        <translation>Búsqueda de autocontactos</translation>
+    </message>
+    <message>
+        <source>Rows and islands</source>
+        <translation>Filas e islas</translation>
+    </message>
+    <message>
+        <source>Delassus matrix</source>
+        <translation>Matriz de Delassus</translation>
+    </message>
+    <message>
+        <source>Contact solve</source>
+        <translation>Resolución del contacto</translation>
+    </message>
+    <message>
+        <source>Friction solve</source>
+        <translation>Resolución del rozamiento</translation>
+    </message>
+    <message>
+        <source>Bursa films</source>
+        <translation>Películas de bolsa</translation>
+    </message>
+    <message>
+        <source>Dents under tools</source>
+        <translation>Huellas bajo las herramientas</translation>
+    </message>
+    <message>
+        <source>Moving on</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Switch on: %1</source>
+        <translation>Activar: %1</translation>
+    </message>
+    <message>
+        <source>Switch off: %1</source>
+        <translation>Desactivar: %1</translation>
+    </message>
+    <message>
+        <source>Let the scene decide: %1</source>
+        <translation>Que decida la escena: %1</translation>
+    </message>
+    <message>
+        <source>off: nothing</source>
+        <translation>desactivado: nada</translation>
+    </message>
+    <message>
+        <source>within “%1”</source>
+        <translation>dentro de «%1»</translation>
+    </message>
+    <message>
+        <source>%1, at most %2 in 95 of 100 steps</source>
+        <translation>%1, como mucho %2 en 95 de cada 100 pasos</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::EffectSentences</name>
     <message>
         <source>one material</source>
@@ -1590,6 +1859,113 @@
     <message>
         <source>for %1 it is known how tissue gives under a tip, and there is a round tip on %2</source>
         <translation>de %1 se sabe cómo cede el tejido bajo una punta, y hay punta redonda en %2</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::EffectsPanel</name>
+    <message>
+        <source>by the scene</source>
+        <translation>según la escena</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activado</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>No scene runs.</source>
+        <translation>No hay ninguna escena en marcha.</translation>
+    </message>
+    <message>
+        <source>A step takes %1, and %2 at most in 95 of 100; it simulates %3.</source>
+        <translation>Un paso tarda %1, y como mucho %2 en 95 de cada 100; simula %3.</translation>
+    </message>
+    <message>
+        <source>Press play to see what each stage and effect takes.</source>
+        <translation>Pulse reproducir para ver cuánto tarda cada etapa y cada efecto.</translation>
+    </message>
+    <message>
+        <source>on: %1</source>
+        <translation>activado: %1</translation>
+    </message>
+    <message>
+        <source>off: %1</source>
+        <translation>desactivado: %1</translation>
+    </message>
+    <message>
+        <source>off: nothing (%1 when it was on)</source>
+        <translation>desactivado: nada (%1 cuando estaba activado)</translation>
+    </message>
+    <message>
+        <source>Whether this effect is on: %1</source>
+        <translation>Si este efecto está activado: %1</translation>
+    </message>
+    <message>
+        <source>%1 velocities, %2 rows</source>
+        <translation>%1 velocidades, %2 filas</translation>
+    </message>
+    <message>
+        <source>%1 velocities</source>
+        <translation>%1 velocidades</translation>
+    </message>
+    <message>
+        <source>Effects: what is on, why, and what it costs</source>
+        <translation>Efectos: qué está activado, por qué y cuánto cuesta</translation>
+    </message>
+    <message>
+        <source>Islands of the last step: what is solved as one, and what joins it</source>
+        <translation>Islas del último paso: qué se resuelve junto y qué lo une</translation>
+    </message>
+    <message>
+        <source>Effect</source>
+        <translation>Efecto</translation>
+    </message>
+    <message>
+        <source>Switch</source>
+        <translation>Interruptor</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Estado</translation>
+    </message>
+    <message>
+        <source>Price of a step</source>
+        <translation>Precio por paso</translation>
+    </message>
+    <message>
+        <source>Effects with their price</source>
+        <translation>Efectos con su precio</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Piezas</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Tamaño</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tiempo</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residuo</translation>
+    </message>
+    <message>
+        <source>Why joined</source>
+        <translation>Por qué están unidas</translation>
+    </message>
+    <message>
+        <source>Solved by</source>
+        <translation>Resuelta por</translation>
+    </message>
+    <message>
+        <source>Islands</source>
+        <translation>Islas</translation>
     </message>
 </context>
 <context>
@@ -2400,6 +2776,55 @@
     </message>
 </context>
 <context>
+    <name>glenoid::IslandRows</name>
+    <message>
+        <source>nothing presses</source>
+        <translation>nada aprieta</translation>
+    </message>
+    <message>
+        <source>pivoting</source>
+        <translation>pivotes</translation>
+    </message>
+    <message>
+        <source>Newton on impulses</source>
+        <translation>Newton en impulsos</translation>
+    </message>
+    <message>
+        <source>Newton on velocities</source>
+        <translation>Newton en velocidades</translation>
+    </message>
+    <message>
+        <source>as published</source>
+        <translation>como se publicó</translation>
+    </message>
+    <message>
+        <source>%1 coupled to %2</source>
+        <translation>%1 acoplada a %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 touches %2: %n contact(s), %3 N</source>
+        <translation>
+            <numerusform>%1 toca %2: %n contacto, %3 N</numerusform>
+            <numerusform>%1 toca %2: %n contactos, %3 N</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 touches itself: %n contact(s), %2 N</source>
+        <translation>
+            <numerusform>%1 se toca a sí misma: %n contacto, %2 N</numerusform>
+            <numerusform>%1 se toca a sí misma: %n contactos, %2 N</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>by itself: nothing touches it and nothing free is coupled to it</source>
+        <translation>sola: nada la toca y nada libre está acoplado a ella</translation>
+    </message>
+    <message>
+        <source>free motion</source>
+        <translation>movimiento libre</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::JobSystem</name>
     <message>
         <source>“%1” was dropped: the scene was changed in what it works on. Start it again.</source>
@@ -2487,6 +2912,53 @@
     <message>
         <source>Mirror the joint</source>
         <translation>Reflejar la articulación</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::LabDocks</name>
+    <message>
+        <source>The report could not be written.</source>
+        <translation>No se pudo escribir el informe.</translation>
+    </message>
+    <message>
+        <source>&amp;Report of the studies…</source>
+        <translation>&amp;Informe de los estudios…</translation>
+    </message>
+    <message>
+        <source>Write the studies that the lab shows as one document, HTML or PDF</source>
+        <translation>Escribir los estudios que muestra el laboratorio en un documento, HTML o PDF</translation>
+    </message>
+    <message>
+        <source>There is no study to report on. Run one in the lab, or open one there.</source>
+        <translation>No hay ningún estudio del que informar. Haga uno en el laboratorio o ábralo allí.</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Página web (*.html)</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Escribir el informe</translation>
+    </message>
+    <message>
+        <source>A report is being written already.</source>
+        <translation>Ya se está escribiendo un informe.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Exactitud</translation>
+    </message>
+    <message>
+        <source>Stability</source>
+        <translation>Estabilidad</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Efectos</translation>
     </message>
 </context>
 <context>
@@ -3221,6 +3693,46 @@
     <message>
         <source>Saved to %1</source>
         <translation>Guardado en %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Guardar como…</translation>
+    </message>
+    <message>
+        <source>Open a scenario, or a joint packed in one file</source>
+        <translation>Abrir un escenario, o una articulación empaquetada en un archivo</translation>
+    </message>
+    <message>
+        <source>Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)</source>
+        <translation>Escenarios y articulaciones (*.scenario.json *.jointz joint.json);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>The report is in %1</source>
+        <translation>El informe está en %1</translation>
+    </message>
+    <message>
+        <source>&amp;Author</source>
+        <translation>&amp;Autor</translation>
+    </message>
+    <message>
+        <source>Show what joints and scenes are made with</source>
+        <translation>Mostrar lo que sirve para hacer articulaciones y escenas</translation>
+    </message>
+    <message>
+        <source>&amp;Lab</source>
+        <translation>&amp;Laboratorio</translation>
+    </message>
+    <message>
+        <source>Show what accuracy costs, what stays stable and what each effect costs</source>
+        <translation>Mostrar cuánto cuesta la exactitud, qué sigue estable y cuánto cuesta cada efecto</translation>
+    </message>
+    <message>
+        <source>&amp;Workspace</source>
+        <translation>Espacio de &amp;trabajo</translation>
+    </message>
+    <message>
+        <source>Showing a failure of a study in place of the scene</source>
+        <translation>Mostrando un fallo de un estudio en lugar de la escena</translation>
     </message>
 </context>
 <context>
@@ -4216,6 +4728,14 @@
         <source>right</source>
         <translation>derecho</translation>
     </message>
+    <message>
+        <source>on</source>
+        <translation>activado</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::RecoverDialog</name>
@@ -4274,6 +4794,215 @@
     <message>
         <source>New scene</source>
         <translation>Escena nueva</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::Report</name>
+    <message>
+        <source>Figure %1. %2</source>
+        <translation>Figura %1. %2</translation>
+    </message>
+    <message>
+        <source>Table %1. %2</source>
+        <translation>Tabla %1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ReportAccuracy</name>
+    <message>
+        <source>What accuracy costs: %1, %2</source>
+        <translation>Lo que cuesta la exactitud: %1, %2</translation>
+    </message>
+    <message>
+        <source>Error against %1. Lower left is better. Whiskers reach up to 95 of 100 steps; hollow: compared in fewer moments.</source>
+        <translation>Error frente a %1. Abajo a la izquierda es mejor. Los bigotes llegan a 95 de cada 100 pasos; hueco: comparado en menos momentos.</translation>
+    </message>
+    <message>
+        <source>Error of %1, mm</source>
+        <translation>Error de %1, mm</translation>
+    </message>
+    <message>
+        <source>Error of %1, N</source>
+        <translation>Error de %1, N</translation>
+    </message>
+    <message>
+        <source>Computing time for each %1 ms that are simulated, ms</source>
+        <translation>Tiempo de cálculo por cada %1 ms simulados, ms</translation>
+    </message>
+    <message>
+        <source>below the reference’s own error: no difference can be told</source>
+        <translation>por debajo del error propio de la referencia: no se distingue nada</translation>
+    </message>
+    <message>
+        <source>twice that</source>
+        <translation>el doble</translation>
+    </message>
+    <message>
+        <source>%1 (real time)</source>
+        <translation>%1 (tiempo real)</translation>
+    </message>
+    <message>
+        <source>No error to draw</source>
+        <translation>Sin error que dibujar</translation>
+    </message>
+    <message>
+        <source>no other is both faster and nearer</source>
+        <translation>ninguno es a la vez más rápido y más cercano</translation>
+    </message>
+    <message>
+        <source>The setting nearest to the reference by displacement that stays within a budget in 95 of 100 steps; errors against %1.</source>
+        <translation>El ajuste más cercano a la referencia en desplazamiento que cabe en un presupuesto en 95 de cada 100 pasos; errores frente a %1.</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Presupuesto</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Ajuste</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Mediana</translation>
+    </message>
+    <message>
+        <source>95 of 100</source>
+        <translation>95 de 100</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>tal como está</translation>
+    </message>
+    <message>
+        <source>All settings by time. Errors of displacement against the same cells in very small steps and against finer cells, and of contact force; those that failed with their reason.</source>
+        <translation>Todos los ajustes por tiempo. Errores de desplazamiento frente a las mismas celdas en pasos muy pequeños y frente a celdas más finas, y de fuerza de contacto; los que fallaron, con su motivo.</translation>
+    </message>
+    <message>
+        <source>Displacement, same cells</source>
+        <translation>Desplazamiento, mismas celdas</translation>
+    </message>
+    <message>
+        <source>Displacement, finer cells</source>
+        <translation>Desplazamiento, celdas más finas</translation>
+    </message>
+    <message>
+        <source>Contact force, same cells</source>
+        <translation>Fuerza de contacto, mismas celdas</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Observación</translation>
+    </message>
+    <message>
+        <source>no scenario can say it</source>
+        <translation>ningún escenario puede expresarlo</translation>
+    </message>
+    <message>
+        <source>%1: the study holds no errors to choose by.</source>
+        <translation>%1: el estudio no contiene errores con los que elegir.</translation>
+    </message>
+    <message>
+        <source>%1: no setting stays within %2 in 95 of 100 steps; the cheapest takes %3.</source>
+        <translation>%1: ningún ajuste cabe en %2 en 95 de cada 100 pasos; el más barato tarda %3.</translation>
+    </message>
+    <message>
+        <source>For %1 of computing to each %2 of simulated time, run %3 with this setting: %4.</source>
+        <translation>Para %1 de cálculo por cada %2 de tiempo simulado, use %3 con este ajuste: %4.</translation>
+    </message>
+    <message>
+        <source>It costs %1 (median; %2 in 95 of 100 steps) and lies %3 of displacement away from the same scene solved in very small steps.</source>
+        <translation>Cuesta %1 (mediana; %2 en 95 de cada 100 pasos) y queda a %3 de desplazamiento de la misma escena resuelta en pasos muy pequeños.</translation>
+    </message>
+    <message>
+        <source>That is within the reference’s own error, %1: nearer cannot be told.</source>
+        <translation>Eso está dentro del error propio de la referencia, %1: más cerca no se puede distinguir.</translation>
+    </message>
+    <message>
+        <source>The scene as it is costs %1 and lies %2 away.</source>
+        <translation>La escena tal como está cuesta %1 y queda a %2.</translation>
+    </message>
+    <message>
+        <source>What its cells leave out beside that is not a matter of solving: against finer cells it lies %1 away.</source>
+        <translation>Lo que dejan fuera sus celdas no depende de la resolución: frente a celdas más finas queda a %1.</translation>
+    </message>
+    <message>
+        <source>Nearest to finer cells within the same time is: %1, at %2 and %3.</source>
+        <translation>Lo más cercano a las celdas más finas en el mismo tiempo es: %1, con %2 y %3.</translation>
+    </message>
+    <message>
+        <source>What accuracy costs: %1</source>
+        <translation>Lo que cuesta la exactitud: %1</translation>
+    </message>
+    <message>
+        <source>From the same moments of the run, the scene is stepped under many settings. Each is a point: how long it computes, and how far it then lies from a reference that was refined until it hardly moved. The reference’s own error is drawn grey: to the left of it nothing can be told apart.</source>
+        <translation>Desde los mismos momentos, la escena avanza con muchos ajustes. Cada uno es un punto: cuánto calcula y a qué distancia queda de una referencia refinada hasta que apenas se movió. El error propio de la referencia se dibuja en gris: a su izquierda no se puede distinguir nada.</translation>
+    </message>
+    <message>
+        <source>There is no comparison with %1: %2</source>
+        <translation>No hay comparación con %1: %2</translation>
+    </message>
+    <message>
+        <source>Computing time over the error of %1, against %2.</source>
+        <translation>Tiempo de cálculo según el error de %1, frente a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::ReportStability</name>
+    <message>
+        <source>Cases of the gauntlet, with the worst figures of their trials. Energy: gained beyond what there was and what was put in. Recovery: from the end of the load to rest.</source>
+        <translation>Casos difíciles, con las peores cifras de sus pruebas. Energía: la ganada de más sobre la que había y la que se aportó. Recuperación: desde el fin de la carga hasta el reposo.</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>Caso</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Resistió</translation>
+    </message>
+    <message>
+        <source>Energy, %</source>
+        <translation>Energía, %</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Profundidad, mm</translation>
+    </message>
+    <message>
+        <source>Of its bound</source>
+        <translation>De su límite</translation>
+    </message>
+    <message>
+        <source>Recovery, s</source>
+        <translation>Recuperación, s</translation>
+    </message>
+    <message>
+        <source>Inside out at the end</source>
+        <translation>Vueltos del revés al final</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>What stays stable: %1</source>
+        <translation>Lo que sigue estable: %1</translation>
+    </message>
+    <message>
+        <source>What did not hold</source>
+        <translation>Lo que no resistió</translation>
+    </message>
+    <message>
+        <source>, as published</source>
+        <translation>, como se publicó</translation>
+    </message>
+    <message>
+        <source>The end of %1.</source>
+        <translation>El final de %1.</translation>
     </message>
 </context>
 <context>
@@ -4627,6 +5356,573 @@
     </message>
 </context>
 <context>
+    <name>glenoid::SettingPictures</name>
+    <message>
+        <source>The picture of a setting could not be drawn.</source>
+        <translation>No se pudo dibujar la imagen de un ajuste.</translation>
+    </message>
+    <message>
+        <source>The picture of a setting could not be drawn: %1 cannot be run.</source>
+        <translation>No se pudo dibujar la imagen de un ajuste: no se puede ejecutar %1.</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::SettingWords</name>
+    <message>
+        <source>solved as published</source>
+        <translation>resuelto como se publicó</translation>
+    </message>
+    <message>
+        <source>solved by the reference</source>
+        <translation>resuelto por la referencia</translation>
+    </message>
+    <message>
+        <source>solved directly</source>
+        <translation>resuelto directamente</translation>
+    </message>
+    <message>
+        <source>whole cells for elements</source>
+        <translation>celdas enteras como elementos</translation>
+    </message>
+    <message>
+        <source>tetrahedra for elements</source>
+        <translation>tetraedros como elementos</translation>
+    </message>
+    <message>
+        <source>elements as each part has them</source>
+        <translation>elementos según cada pieza</translation>
+    </message>
+    <message>
+        <source>with all of our additions</source>
+        <translation>con todos nuestros añadidos</translation>
+    </message>
+    <message>
+        <source>with stiffness of what is under tension</source>
+        <translation>con la rigidez de lo que está en tensión</translation>
+    </message>
+    <message>
+        <source>with its recovery speed capped</source>
+        <translation>con la velocidad de recuperación limitada</translation>
+    </message>
+    <message>
+        <source>with steps cut in parts</source>
+        <translation>con pasos partidos</translation>
+    </message>
+    <message>
+        <source>with a second search</source>
+        <translation>con una segunda búsqueda</translation>
+    </message>
+    <message>
+        <source>with the law of far stretched tissue</source>
+        <translation>con la ley del tejido muy estirado</translation>
+    </message>
+    <message>
+        <source>twice as many tetrahedra</source>
+        <translation>el doble de tetraedros</translation>
+    </message>
+    <message>
+        <source>%1 times as many tetrahedra</source>
+        <translation>%1 veces más tetraedros</translation>
+    </message>
+    <message>
+        <source>the visual surfaces touch</source>
+        <translation>se tocan las superficies visuales</translation>
+    </message>
+    <message>
+        <source>steps of %1 ms</source>
+        <translation>pasos de %1 ms</translation>
+    </message>
+    <message>
+        <source>contact from %1 mm on</source>
+        <translation>contacto desde %1 mm</translation>
+    </message>
+    <message>
+        <source>recovery at %1 mm/s at most</source>
+        <translation>recuperación a %1 mm/s como mucho</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>conjugate gradients to %1</source>
+        <translation>gradientes conjugados hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 outer iterations at most</source>
+        <translation>%1 iteraciones externas como mucho</translation>
+    </message>
+    <message>
+        <source>outer iterations to %1</source>
+        <translation>iteraciones externas hasta %1</translation>
+    </message>
+    <message>
+        <source>the splitting holds whole parts</source>
+        <translation>la separación abarca piezas enteras</translation>
+    </message>
+    <message>
+        <source>λmax up to %1</source>
+        <translation>λmax hasta %1</translation>
+    </message>
+    <message>
+        <source>%1 inner sweeps</source>
+        <translation>%1 barridos internos</translation>
+    </message>
+    <message>
+        <source>could not be built: %1</source>
+        <translation>no se pudo construir: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps were not finite</source>
+        <translation>%1 de %2 pasos no fueron finitos</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps diverged</source>
+        <translation>%1 de %2 pasos divergieron</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>desplazamiento</translation>
+    </message>
+    <message>
+        <source>contact force</source>
+        <translation>fuerza de contacto</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>penetración</translation>
+    </message>
+    <message>
+        <source>force on the hand</source>
+        <translation>fuerza en la mano</translation>
+    </message>
+    <message>
+        <source>the same cells, very small steps</source>
+        <translation>las mismas celdas, pasos muy pequeños</translation>
+    </message>
+    <message>
+        <source>finer cells, smaller steps</source>
+        <translation>celdas más finas, pasos menores</translation>
+    </message>
+    <message>
+        <source>the scene</source>
+        <translation>la escena</translation>
+    </message>
+    <message>
+        <source>time step</source>
+        <translation>paso de tiempo</translation>
+    </message>
+    <message>
+        <source>solver</source>
+        <translation>resolución</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>elementos</translation>
+    </message>
+    <message>
+        <source>cell size</source>
+        <translation>tamaño de celda</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>superficies</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>contacto</translation>
+    </message>
+    <message>
+        <source>published method</source>
+        <translation>método publicado</translation>
+    </message>
+    <message>
+        <source>%1 in place of %2</source>
+        <translation>%1 en lugar de %2</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>%1 tetrahedra</source>
+        <translation>%1 tetraedros</translation>
+    </message>
+    <message>
+        <source>the simplified surfaces touch again</source>
+        <translation>vuelven a tocarse las superficies simplificadas</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>the scene as it is</source>
+        <translation>la escena tal como está</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StabilityEntries</name>
+    <message>
+        <source>Left alone</source>
+        <translation>Sin tocar</translation>
+    </message>
+    <message>
+        <source>A tool presses</source>
+        <translation>Una herramienta aprieta</translation>
+    </message>
+    <message>
+        <source>The hand is suddenly inside</source>
+        <translation>La mano está de pronto dentro</translation>
+    </message>
+    <message>
+        <source>Impact</source>
+        <translation>Impacto</translation>
+    </message>
+    <message>
+        <source>Fast drag</source>
+        <translation>Arrastre rápido</translation>
+    </message>
+    <message>
+        <source>Squeezed by a strong hand</source>
+        <translation>Apretado por una mano fuerte</translation>
+    </message>
+    <message>
+        <source>The device falls silent</source>
+        <translation>El dispositivo enmudece</translation>
+    </message>
+    <message>
+        <source>The device goes wild</source>
+        <translation>El dispositivo enloquece</translation>
+    </message>
+    <message>
+        <source>A blow on a bone</source>
+        <translation>Un golpe en un hueso</translation>
+    </message>
+    <message>
+        <source>End of range</source>
+        <translation>Fin del recorrido</translation>
+    </message>
+    <message>
+        <source>Start at speed</source>
+        <translation>Salida a velocidad</translation>
+    </message>
+    <message>
+        <source>Random loads</source>
+        <translation>Cargas al azar</translation>
+    </message>
+    <message>
+        <source>Gravity turned</source>
+        <translation>Gravedad girada</translation>
+    </message>
+    <message>
+        <source>Gravity gone</source>
+        <translation>Sin gravedad</translation>
+    </message>
+    <message>
+        <source>Nodes scattered</source>
+        <translation>Nodos dispersos</translation>
+    </message>
+    <message>
+        <source>Collapsed to a plane</source>
+        <translation>Aplastado en un plano</translation>
+    </message>
+    <message>
+        <source>Collapsed to a point</source>
+        <translation>Aplastado en un punto</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>Reflejado</translation>
+    </message>
+    <message>
+        <source>Turned inside out</source>
+        <translation>Vuelto del revés</translation>
+    </message>
+    <message>
+        <source>Flattened</source>
+        <translation>Achatado</translation>
+    </message>
+    <message>
+        <source>A thousand times stiffer</source>
+        <translation>Mil veces más rígido</translation>
+    </message>
+    <message>
+        <source>A thousand times softer</source>
+        <translation>Mil veces más blando</translation>
+    </message>
+    <message>
+        <source>Poisson’s ratio 0.49</source>
+        <translation>Coeficiente de Poisson 0,49</translation>
+    </message>
+    <message>
+        <source>Poisson’s ratio 0.4999</source>
+        <translation>Coeficiente de Poisson 0,4999</translation>
+    </message>
+    <message>
+        <source>not finite</source>
+        <translation>no finito</translation>
+    </message>
+    <message>
+        <source>steps not taken</source>
+        <translation>pasos no dados</translation>
+    </message>
+    <message>
+        <source>energy gained</source>
+        <translation>ganó energía</translation>
+    </message>
+    <message>
+        <source>too deep</source>
+        <translation>demasiado hondo</translation>
+    </message>
+    <message>
+        <source>left inside out</source>
+        <translation>quedó del revés</translation>
+    </message>
+    <message>
+        <source>too deep at the end</source>
+        <translation>demasiado hondo al final</translation>
+    </message>
+    <message>
+        <source>does not come to rest</source>
+        <translation>no llega al reposo</translation>
+    </message>
+    <message>
+        <source>took too long</source>
+        <translation>tardó demasiado</translation>
+    </message>
+    <message>
+        <source>After %1 steps the state is not finite.</source>
+        <translation>Tras %1 pasos el estado no es finito.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 steps were not finite and not taken.</source>
+        <translation>%1 de %2 pasos no fueron finitos y no se dieron.</translation>
+    </message>
+    <message>
+        <source>It holds %1 % more energy than what it had and what was done to it.</source>
+        <translation>Tiene un %1 % más de energía de la que tenía y se le aportó.</translation>
+    </message>
+    <message>
+        <source>%1 lie %2 mm in each other, %3 times as deep as they may.</source>
+        <translation>%1 se hunden %2 mm uno en otro, %3 veces lo permitido.</translation>
+    </message>
+    <message>
+        <source>%1 elements are still inside out.</source>
+        <translation>%1 elementos siguen del revés.</translation>
+    </message>
+    <message>
+        <source>At the end surfaces still lie too deep in each other.</source>
+        <translation>Al final las superficies siguen demasiado hundidas una en otra.</translation>
+    </message>
+    <message>
+        <source>%1 s after the load it was not at rest; at the end its fastest point moves at %2 mm/s.</source>
+        <translation>%1 s después de la carga no estaba en reposo; al final su punto más rápido va a %2 mm/s.</translation>
+    </message>
+    <message>
+        <source>It took too long and was stopped after %1 s of simulated time.</source>
+        <translation>Tardó demasiado y se paró tras %1 s de tiempo simulado.</translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation>resistió</translation>
+    </message>
+    <message>
+        <source>held; cannot carry itself</source>
+        <translation>resistió; no se sostiene</translation>
+    </message>
+    <message>
+        <source>It held.</source>
+        <translation>Resistió.</translation>
+    </message>
+    <message>
+        <source>Its matter cannot carry its weight and its loads: it need not come to rest.</source>
+        <translation>Su materia no puede sostener su peso y sus cargas: no tiene que llegar al reposo.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials held.</source>
+        <translation>Resistieron %1 de %2 pruebas.</translation>
+    </message>
+    <message>
+        <source>Of the published method, which does not count: %1 of %2.</source>
+        <translation>Del método publicado, que no cuenta: %1 de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StabilityPanel</name>
+    <message>
+        <source> (as published)</source>
+        <translation> (como se publicó)</translation>
+    </message>
+    <message>
+        <source>There is a picture</source>
+        <translation>Hay una imagen</translation>
+    </message>
+    <message>
+        <source>How %1 ended</source>
+        <translation>Cómo acabó %1</translation>
+    </message>
+    <message>
+        <source>The view shows %1 again, step for step.</source>
+        <translation>La vista muestra otra vez %1, paso a paso.</translation>
+    </message>
+    <message>
+        <source>%1 has ended as in the study, bit for bit.</source>
+        <translation>%1 ha acabado como en el estudio, bit a bit.</translation>
+    </message>
+    <message>
+        <source>%1 has ended otherwise than in the study: another build, or another processor.</source>
+        <translation>%1 ha acabado de otro modo que en el estudio: otra compilación u otro procesador.</translation>
+    </message>
+    <message>
+        <source>%1 has ended.</source>
+        <translation>%1 ha acabado.</translation>
+    </message>
+    <message>
+        <source>This trial held, so no recording of it was kept.</source>
+        <translation>Esta prueba resistió, así que no se guardó su grabación.</translation>
+    </message>
+    <message>
+        <source>Prepare the trial</source>
+        <translation>Preparar la prueba</translation>
+    </message>
+    <message>
+        <source>Filter by trial, part or verdict</source>
+        <translation>Filtrar por prueba, pieza o veredicto</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtro</translation>
+    </message>
+    <message>
+        <source>Only &amp;failures</source>
+        <translation>Solo &amp;fallos</translation>
+    </message>
+    <message>
+        <source>Trial</source>
+        <translation>Prueba</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sobre</translation>
+    </message>
+    <message>
+        <source>Δt, ms</source>
+        <translation>Δt, ms</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Veredicto</translation>
+    </message>
+    <message>
+        <source>Energy, %</source>
+        <translation>Energía, %</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Profundidad, mm</translation>
+    </message>
+    <message>
+        <source>Recovery, s</source>
+        <translation>Recuperación, s</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>Del revés</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Imagen</translation>
+    </message>
+    <message>
+        <source>What is done to the scene</source>
+        <translation>Qué se le hace a la escena</translation>
+    </message>
+    <message>
+        <source>To what it is done</source>
+        <translation>A qué se le hace</translation>
+    </message>
+    <message>
+        <source>Time step of the trial</source>
+        <translation>Paso de tiempo de la prueba</translation>
+    </message>
+    <message>
+        <source>Whether it held, or which bounds it broke</source>
+        <translation>Si resistió, o qué límites rompió</translation>
+    </message>
+    <message>
+        <source>Energy beyond what there was and what was put in</source>
+        <translation>Energía de más sobre la que había y la que se aportó</translation>
+    </message>
+    <message>
+        <source>How deep surfaces lay in each other at most</source>
+        <translation>Cuánto se hundieron como mucho unas superficies en otras</translation>
+    </message>
+    <message>
+        <source>From the end of the load until it was at rest</source>
+        <translation>Desde el fin de la carga hasta el reposo</translation>
+    </message>
+    <message>
+        <source>Elements inside out: most at once, and at the end</source>
+        <translation>Elementos del revés: el máximo a la vez, y al final</translation>
+    </message>
+    <message>
+        <source>A failure has a picture of its end</source>
+        <translation>Un fallo tiene una imagen de su final</translation>
+    </message>
+    <message>
+        <source>Trials of the gauntlet</source>
+        <translation>Pruebas difíciles</translation>
+    </message>
+    <message>
+        <source>&amp;Run it again in the view</source>
+        <translation>&amp;Repetirla en la vista</translation>
+    </message>
+    <message>
+        <source>Show the failure as it went, step for step; a double click on its row does the same</source>
+        <translation>Mostrar el fallo tal como fue, paso a paso; un doble clic en su fila hace lo mismo</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the scene</source>
+        <translation>&amp;Volver a la escena</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StageBars</name>
+    <message>
+        <source>Whole step</source>
+        <translation>Paso entero</translation>
+    </message>
+    <message>
+        <source>Thread time of a step, ms: median, whisker up to 95 of 100</source>
+        <translation>Tiempo de hilo por paso, ms: mediana, bigote hasta 95 de 100</translation>
+    </message>
+    <message>
+        <source>Time of a step by stage</source>
+        <translation>Tiempo de un paso por etapas</translation>
+    </message>
+    <message>
+        <source>budget: %1</source>
+        <translation>presupuesto: %1</translation>
+    </message>
+    <message>
+        <source>budget: %1, to the right of this →</source>
+        <translation>presupuesto: %1, más a la derecha →</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::StatusFigures</name>
     <message>
         <source>%1 s</source>
@@ -4696,6 +5992,228 @@
     </message>
 </context>
 <context>
+    <name>glenoid::StudiedScene</name>
+    <message>
+        <source>The joint was edited since it was studied, and this setting would put other cells or surfaces in its place. Study it again first.</source>
+        <translation>La articulación se editó después de estudiarla, y este ajuste pondría otras celdas o superficies en su lugar. Estúdiela de nuevo antes.</translation>
+    </message>
+    <message>
+        <source>Use the setting: %1</source>
+        <translation>Usar el ajuste: %1</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StudyBar</name>
+    <message>
+        <source>Stopped. What was found until then stays in its folder.</source>
+        <translation>Detenido. Lo hallado hasta entonces queda en su carpeta.</translation>
+    </message>
+    <message>
+        <source>There is no study in %1.</source>
+        <translation>No hay ningún estudio en %1.</translation>
+    </message>
+    <message>
+        <source>The study in %1 is of another kind.</source>
+        <translation>El estudio de %1 es de otro tipo.</translation>
+    </message>
+    <message>
+        <source>This study was stopped before its end.</source>
+        <translation>Este estudio se detuvo antes de acabar.</translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Abrir un estudio</translation>
+    </message>
+    <message>
+        <source>%1 % done</source>
+        <translation>%1 % hecho</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 % done, about %n second(s) left</source>
+        <translation>
+            <numerusform>%1 % hecho, queda alrededor de %n segundo</numerusform>
+            <numerusform>%1 % hecho, quedan alrededor de %n segundos</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 % done, about %n minute(s) left</source>
+        <translation>
+            <numerusform>%1 % hecho, queda alrededor de %n minuto</numerusform>
+            <numerusform>%1 % hecho, quedan alrededor de %n minutos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>looking for moments to compare</source>
+        <translation>buscando momentos que comparar</translation>
+    </message>
+    <message>
+        <source>taking times</source>
+        <translation>midiendo tiempos</translation>
+    </message>
+    <message>
+        <source>checking the reference</source>
+        <translation>comprobando la referencia</translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation>En %1</translation>
+    </message>
+    <message>
+        <source>Quick</source>
+        <translation>Rápido</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Completo</translation>
+    </message>
+    <message>
+        <source>How thorough the study is</source>
+        <translation>Lo completo que es el estudio</translation>
+    </message>
+    <message>
+        <source>Quick: a few minutes at most. Whole: up to twenty.</source>
+        <translation>Rápido: unos minutos como mucho. Completo: hasta veinte.</translation>
+    </message>
+    <message>
+        <source>&amp;Run the study</source>
+        <translation>&amp;Hacer el estudio</translation>
+    </message>
+    <message>
+        <source>Study the scene as it stands now, in a process of its own</source>
+        <translation>Estudiar la escena tal como está ahora, en un proceso propio</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Parar</translation>
+    </message>
+    <message>
+        <source>&amp;Open a study…</source>
+        <translation>A&amp;brir un estudio…</translation>
+    </message>
+    <message>
+        <source>Show a study of before from its folder</source>
+        <translation>Mostrar un estudio anterior desde su carpeta</translation>
+    </message>
+    <message>
+        <source>How far the study is</source>
+        <translation>Cuánto lleva el estudio</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StudyProcess</name>
+    <message>
+        <source>The study could not be started: %1 cannot be run.</source>
+        <translation>No se pudo empezar el estudio: no se puede ejecutar %1.</translation>
+    </message>
+    <message>
+        <source>The study broke off: its process ended by itself. What it had found is kept in %1.</source>
+        <translation>El estudio se interrumpió: su proceso acabó por sí solo. Lo que había hallado se conserva en %1.</translation>
+    </message>
+    <message>
+        <source>The study ended with the exit status %1 and did not say why.</source>
+        <translation>El estudio acabó con el estado de salida %1 y no dijo por qué.</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::StudyReport</name>
+    <message>
+        <source>What accuracy costs</source>
+        <translation>Lo que cuesta la exactitud</translation>
+    </message>
+    <message>
+        <source>What stays stable</source>
+        <translation>Lo que sigue estable</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Verdad</translation>
+    </message>
+    <message>
+        <source>What each effect costs</source>
+        <translation>Lo que cuesta cada efecto</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>sí</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>The studies, and the machine and build that their times are of.</source>
+        <translation>Los estudios, y la máquina y la compilación de las que son sus tiempos.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Estudio</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Escena</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Alcance</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Procesador</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Compilación</translation>
+    </message>
+    <message>
+        <source>Kernels</source>
+        <translation>Núcleos de cálculo</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Hilos</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>rápido</translation>
+    </message>
+    <message>
+        <source>whole</source>
+        <translation>completo</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Further columns are in the file %1.csv.</source>
+        <translation>Las demás columnas están en el archivo %1.csv.</translation>
+    </message>
+    <message>
+        <source>Studies of %1</source>
+        <translation>Estudios de %1</translation>
+    </message>
+    <message>
+        <source>Written on %1.</source>
+        <translation>Escrito el %1.</translation>
+    </message>
+    <message>
+        <source>In short</source>
+        <translation>En resumen</translation>
+    </message>
+    <message>
+        <source>Hard cases of %1: %2</source>
+        <translation>Casos difíciles de %1: %2</translation>
+    </message>
+    <message>
+        <source>The study of %1 in %2 did not come to its end; what it had found until then is shown.</source>
+        <translation>El estudio de %1 en %2 no llegó a su fin; se muestra lo que había hallado hasta entonces.</translation>
+    </message>
+    <message>
+        <source>Times are thread CPU time of one thread. Another machine has others; errors are a function of scene, build and kernels alone.</source>
+        <translation>Los tiempos son tiempo de CPU de un hilo. Otra máquina tiene otros; los errores dependen solo de la escena, la compilación y los núcleos de cálculo.</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::TasksPanel</name>
     <message numerus="yes">
         <source>%n error(s)</source>
@@ -4751,6 +6269,33 @@
     <message>
         <source>My &amp;runs…</source>
         <translation>&amp;Mis ejercicios…</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::TimesPlot</name>
+    <message>
+        <source>half of the steps stay below</source>
+        <translation>la mitad de los pasos queda debajo</translation>
+    </message>
+    <message>
+        <source>95 of 100 stay below</source>
+        <translation>95 de cada 100 quedan debajo</translation>
+    </message>
+    <message>
+        <source>ms a step</source>
+        <translation>ms por paso</translation>
+    </message>
+    <message>
+        <source>Time of a step over the last two minutes</source>
+        <translation>Tiempo por paso en los últimos dos minutos</translation>
+    </message>
+    <message>
+        <source>budget: %1</source>
+        <translation>presupuesto: %1</translation>
+    </message>
+    <message>
+        <source>Time, s before now</source>
+        <translation>Tiempo, s antes de ahora</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "app/commands/StudyCommand.h"
 #include "app/commands/StudyFiles.h"
 #include "app/commands/SweepFiles.h"
+#include "app/commands/StudyNews.h"
 #include "app/commands/TableText.h"
 #include "app/plot/PlotFile.h"
 #include "editor/core/Sentences.h"
@@ -273,6 +274,58 @@ Result<Done> showStatus(const std::string& folder) {
                       : Error{Fault::CheckFailed, {folder, "", "", {}}, {"the sweep is not whole"}, "sweep"};
 }
 
+JsonValue newsOf(const Wishes& wishes, const OpenScene& scene, const std::optional<Recording>& input) {
+  JsonValue json = machineJson();
+  json.set("study", "accuracy");
+  json.set("scenario", wishes.scenario);
+  json.set("dtMs", 1e3 * scene.scenario.dt);
+  json.set("quick", wishes.quick || wishes.smallest);
+  json.set("hands", !scene.scenario.tools.empty());
+  json.set("recording", input.has_value());
+  return json;
+}
+
+/// The study itself and its files. `news`: null where nobody could follow.
+Result<Done> studied(const Wishes& wishes, const AccuracyWish& wish, const OpenScene& scene, const std::optional<Recording>& input, AccuracyOptions options,
+                     StudyNews* news) {
+  ProgressLine progress("Measuring");
+  options.progress = [&](const std::string& what, double fraction) {
+    progress.show(fraction);
+    if (news) news->progress(what, fraction);
+    return true;
+  };
+  if (news)
+    options.told = [&](const AccuracyResult& result, std::optional<std::size_t> row) {
+      const std::vector<StudyTable> tables = accuracyTables(result);
+      if (row) news->row(tables[0], *row, jsonObject({{"roughWorkMs", result.rows[*row].roughWorkMs}, {"ownCells", result.rows[*row].ownCells}}));
+      else news->table(tables[1]);
+    };
+  const StudyScene study{scene.joint, scene.scenario, input ? *input : Recording()};
+  std::optional<AccuracyResult> result;
+  if (wishes.merge) {
+    Result<AccuracyResult> merged = mergedIn(wishes.out, study, wishes);
+    if (!merged) return merged.error();
+    result = std::move(*merged);
+  } else {
+    Result<std::optional<AccuracyResult>> measured = measure(wishes, study, options);
+    if (!measured) return measured.error();
+    result = std::move(*measured);
+  }
+  if (!wishes.shard.empty()) return Done{};
+  const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, wish);
+  const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
+  const std::string name = scene.scenario.name.empty() ? scene.scenario.id : scene.scenario.name;
+  if (const auto saved = saveTables(*result, wishes, scene); !saved) return saved;
+  if (const auto saved = savePlots(*result, wishes, name, wish.view, row); !saved) return saved;
+  if (row)
+    if (const auto saved = saveChosen(result->rows[*row].setting, scene, wishes); !saved) return saved;
+  std::string summary = accuracySummary(*result, name, wish.view, row) + machineWords() + ".\n";
+  if (row) summary += "Written to " + inFolder(wishes.out, "chosen.scenario.json") + ".\n";
+  if (const auto saved = writeWholeFile(inFolder(wishes.out, "summary.txt"), summary); !saved) return saved;
+  std::fputs(summary.c_str(), stdout);
+  return chosen ? Result<Done>(Done{}) : Result<Done>(chosen.error());
+}
+
 Result<Done> accuracy(const Wishes& wishes) {
   if (wishes.status) return showStatus(wishes.out);
   if (wishes.resume && wishes.merge)
@@ -296,35 +349,11 @@ Result<Done> accuracy(const Wishes& wishes) {
   AccuracyOptions options = wishes.smallest ? smallestAccuracy() : wishes.quick ? quickAccuracy() : AccuracyOptions();
   options.machine = machineWords();
   if (const auto set = setShard(wishes.shard, options); !set) return set.error();
-  ProgressLine progress("Measuring");
-  options.progress = [&](const std::string&, double fraction) {
-    progress.show(fraction);
-    return true;
-  };
-  const StudyScene study{scene->joint, scene->scenario, *input ? **input : Recording()};
-  std::optional<AccuracyResult> result;
-  if (wishes.merge) {
-    Result<AccuracyResult> merged = mergedIn(wishes.out, study, wishes);
-    if (!merged) return merged.error();
-    result = std::move(*merged);
-  } else {
-    Result<std::optional<AccuracyResult>> measured = measure(wishes, study, options);
-    if (!measured) return measured.error();
-    result = std::move(*measured);
-  }
-  if (!wishes.shard.empty()) return Done{};
-  const Result<std::optional<std::size_t>> chosen = chosenSetting(*result, *wish);
-  const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
-  const std::string name = scene->scenario.name.empty() ? scene->scenario.id : scene->scenario.name;
-  if (const auto saved = saveTables(*result, wishes, *scene); !saved) return saved;
-  if (const auto saved = savePlots(*result, wishes, name, wish->view, row); !saved) return saved;
-  if (row)
-    if (const auto saved = saveChosen(result->rows[*row].setting, *scene, wishes); !saved) return saved;
-  std::string summary = accuracySummary(*result, name, wish->view, row) + machineWords() + ".\n";
-  if (row) summary += "Written to " + inFolder(wishes.out, "chosen.scenario.json") + ".\n";
-  if (const auto saved = writeWholeFile(inFolder(wishes.out, "summary.txt"), summary); !saved) return saved;
-  std::fputs(summary.c_str(), stdout);
-  return chosen ? Result<Done>(Done{}) : Result<Done>(chosen.error());
+  std::optional<StudyNews> news;  // of the whole study: shards beside each other would write over each other
+  if (wishes.shard.empty() && !wishes.merge) news.emplace(wishes.out, newsOf(wishes, *scene, *input));
+  const Result<Done> done = studied(wishes, *wish, *scene, *input, std::move(options), news ? &*news : nullptr);
+  if (news) news->end(done);
+  return done;
 }
 
 }  // namespace

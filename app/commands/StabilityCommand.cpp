@@ -8,6 +8,8 @@
 #include "app/commands/Console.h"
 #include "app/commands/StabilityFiles.h"
 #include "app/commands/StudyCommand.h"
+#include "app/commands/StudyFiles.h"
+#include "app/commands/StudyNews.h"
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/live/Run.h"
@@ -23,14 +25,10 @@ struct Wishes {
   int threads = 0;
 };
 
-Result<Done> stability(const Wishes& wishes) {
-  const Result<StabilityScene> scene = openStabilityScene(wishes.scene);
-  if (!scene) return scene.error();
-  std::error_code failed;
-  std::filesystem::create_directories(wishes.out, failed);
-  if (const auto good = checkWritable(wishes.out + "/stability.json"); !good) return good;
+/// The gauntlet itself and its files.
+Result<Done> runGauntlet(const Wishes& wishes, const StabilityScene& scene, StudyNews& news) {
   StabilityOptions options;
-  options.profile = wishes.profile.empty() ? scene->scenario.profile : *profileNamed(wishes.profile);
+  options.profile = wishes.profile.empty() ? scene.scenario.profile : *profileNamed(wishes.profile);
   options.quick = wishes.quick;
   options.paper = !wishes.noPaper && options.profile != Profile::Paper;
   options.trialLimit = wishes.quick ? 40 : 120;
@@ -40,11 +38,18 @@ Result<Done> stability(const Wishes& wishes) {
   Result<std::vector<StabilityVerdict>> verdicts = std::vector<StabilityVerdict>{};
   {
     ProgressLine progress("Running the gauntlet");
+    Result<Done> written = Done{};  // of failures, each as soon as it is known
     options.progress = [&](double fraction) {
       progress.show(fraction);
+      news.progress("", fraction);
       return true;
     };
-    verdicts = runStability(*scene, options);
+    options.told = [&](const StabilityVerdict& verdict) {
+      if (!verdict.held() && written) written = writeFailure(wishes.out, verdict, wishes.scene);
+      news.row(stabilityTable({&verdict, 1}, options), 0);
+    };
+    verdicts = runStability(scene, options);
+    if (!written) return written;
   }
   if (!verdicts) return verdicts.error();
   if (const auto written = writeStability(wishes.out, *verdicts, options, wishes.scene); !written) return written;
@@ -63,6 +68,22 @@ Result<Done> stability(const Wishes& wishes) {
   std::printf("Tables, pictures and recordings are in %s.\n", wishes.out.c_str());
   if (broken == 0) return Done{};
   return Error{Fault::CheckFailed, {}, {text("%ld of %ld trials of the gauntlet did not hold, the first of them %s", broken, counted, first.c_str())}, "study stability"};
+}
+
+Result<Done> stability(const Wishes& wishes) {
+  const Result<StabilityScene> scene = openStabilityScene(wishes.scene);
+  if (!scene) return scene.error();
+  std::error_code failed;
+  std::filesystem::create_directories(wishes.out, failed);
+  if (const auto good = checkWritable(wishes.out + "/stability.json"); !good) return good;
+  JsonValue what = machineJson();
+  what.set("study", "stability");
+  what.set("scenario", wishes.scene);
+  what.set("quick", wishes.quick);
+  StudyNews news(wishes.out, std::move(what));
+  const Result<Done> done = runGauntlet(wishes, *scene, news);
+  news.end(done);
+  return done;
 }
 
 }  // namespace

@@ -136,18 +136,18 @@ Result<Done> writeStability(const std::string& folder, std::span<const Stability
   tables.append(tableJson(stabilitySummary(verdicts)));
   json.set("tables", std::move(tables));
   if (const auto done = writeWholeFile(folder + "/stability.json", toText(json)); !done) return done;
-  if (const auto done = writeWholeFile(folder + "/stability.txt", stabilityText(verdicts, options, scene)); !done) return done;
-  for (const StabilityVerdict& verdict : verdicts) {
-    if (verdict.held()) continue;
-    const std::string stem = folder + "/" + fileStem(verdict);
-    if (const auto done = saveRecording(recordingOf(verdict, scene), stem + ".recording"); !done) return done;
-    if (!verdict.figures.finite) continue;
-    PictureWishes picture;
-    picture.out = stem + ".png";
-    picture.width = 960, picture.height = 720;
-    const auto drawn = drawPicture(*verdict.model, verdict.figures.end, verdict.figures.contacts, picture, verdict.figures.dents);
-    if (!drawn && drawn.error().fault != Fault::NoGraphics) return drawn;
-  }
+  return writeWholeFile(folder + "/stability.txt", stabilityText(verdicts, options, scene));
+}
+
+Result<Done> writeFailure(const std::string& folder, const StabilityVerdict& verdict, const std::string& scene) {
+  const std::string stem = folder + "/" + fileStem(verdict);
+  if (const auto done = saveRecording(recordingOf(verdict, scene), stem + ".recording"); !done) return done;
+  if (!verdict.figures.finite) return Done{};
+  PictureWishes picture;
+  picture.out = stem + ".png";
+  picture.width = 960, picture.height = 720;
+  const auto drawn = drawPicture(*verdict.model, verdict.figures.end, verdict.figures.contacts, picture, verdict.figures.dents);
+  if (!drawn && drawn.error().fault != Fault::NoGraphics) return drawn;
   return Done{};
 }
 
@@ -168,13 +168,13 @@ Result<StabilityScene> openStabilityScene(const std::string& word) {
   return stabilityScene(std::move(scene->joint), scene->scenario);
 }
 
-Result<StabilityVerdict> repeatStability(const Recording& recording) {
+Result<StabilityAgain> openStabilityAgain(const Recording& recording) {
   const std::string id = stabilityTrialIn(recording).value_or("");
   const auto profile = profileNamed(recording.profile);
   if (!profile) return Error{Fault::UnknownId, {}, {recording.profile, "profile"}, "replay"};
   const Result<StabilityScene> scene = openStabilityScene(recording.scenario);
   if (!scene) return scene.error();
-  const auto stage = StabilityStage::make(*scene, *profile);
+  auto stage = StabilityStage::make(*scene, *profile);
   if (!stage) return stage.error();
   const std::vector<StabilityTrial> trials = (*stage)->trials(false);
   const auto trial = std::find_if(trials.begin(), trials.end(), [&](const StabilityTrial& one) { return one.id() == id; });
@@ -183,13 +183,19 @@ Result<StabilityVerdict> repeatStability(const Recording& recording) {
   if (!run) return run.error();
   run->seconds = (static_cast<double>(recording.steps) - 0.5) * trial->dt;
   run->quiet = 0;
+  return StabilityAgain{std::move(*stage), *trial, std::move(*run)};
+}
+
+Result<StabilityVerdict> repeatStability(const Recording& recording) {
+  const Result<StabilityAgain> again = openStabilityAgain(recording);
+  if (!again) return again.error();
   StabilityVerdict verdict;
-  verdict.trial = *trial;
-  verdict.profile = *profile;
-  verdict.carried = (*stage)->carried(*trial);
-  verdict.figures = measureStability(*run);
-  verdict.broken = brokenBounds(*run, verdict.figures, verdict.carried.share <= 1);
-  verdict.model = run->model;
+  verdict.trial = again->trial;
+  verdict.profile = again->stage->profile();
+  verdict.carried = again->stage->carried(again->trial);
+  verdict.figures = measureStability(again->run);
+  verdict.broken = brokenBounds(again->run, verdict.figures, verdict.carried.share <= 1);
+  verdict.model = again->run.model;
   return verdict;
 }
 

@@ -13,6 +13,7 @@ void addStudyCommand(CLI::App& app, int& status) {
   addAccuracyStudy(*study, status);
   addStabilityStudy(*study, status);
   addEffectsStudy(*study, status);
+  addStudyReport(*study, status);
 }
 
 }  // namespace glenoid

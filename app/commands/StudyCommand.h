@@ -11,5 +11,7 @@ namespace glenoid {
 void addAccuracyStudy(CLI::App& study, int& status);
 void addEffectsStudy(CLI::App& study, int& status);
 void addStabilityStudy(CLI::App& study, int& status);
+/// What they found, as one document.
+void addStudyReport(CLI::App& study, int& status);
 
 }  // namespace glenoid

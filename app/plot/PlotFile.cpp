@@ -77,6 +77,8 @@ Result<Done> writeAll(const Plot& plot, const std::string& stem) {
 
 }  // namespace
 
+QByteArray plotSvg(const LogLogPlot& plot) { return svgOf(plot); }
+
 Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem) {
   return writeAll(plot, stem);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <QByteArray>
 #include <string>
 
 #include "app/plot/BarPlot.h"
@@ -12,5 +13,8 @@ namespace glenoid {
 /// Needs a QGuiApplication (any platform, also offscreen). Fails as writeWholeFile does.
 Result<Done> writePlot(const LogLogPlot& plot, const std::string& stem);
 Result<Done> writePlot(const BarPlot& plot, const std::string& stem);
+
+/// The same SVG as bytes.
+QByteArray plotSvg(const LogLogPlot& plot);
 
 }  // namespace glenoid

@@ -2,6 +2,7 @@
 #include "editor/core/PlayLink.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "simcore/live/BuildId.h"
 #include "simcore/live/RunReport.h"
@@ -9,7 +10,7 @@
 namespace glenoid {
 
 PlayLink::PlayLink(Document& document, Compiler compiler, StepMaker maker, WatchMaker watchMaker, QObject* parent)
-    : QObject(parent), m_document(document), m_compiler(std::move(compiler)), m_simulation(std::move(maker), std::move(watchMaker)) {
+    : QObject(parent), m_document(document), m_compiler(std::move(compiler)), m_simulation(maker ? std::move(maker) : m_meter.maker(), std::move(watchMaker)) {
   m_workers.setMaxThreadCount(1);
   connect(&document, &Document::changed, this, &PlayLink::onChanged);
   // Looking costs one atomic read; nothing is drawn unless something was published.
@@ -89,7 +90,30 @@ void PlayLink::onCompiled(long generation, bool carry, Result<std::shared_ptr<co
   if (!carry) m_simulation.setRecording(m_followRecording ? m_document.scene().input : nullptr);
   m_simulation.setModel(result.value(), options, carry);
   m_carry = true;
+  if (std::exchange(m_guest, false)) emit guestChanged();
   emit compiled();
+}
+
+void PlayLink::playGuest(std::shared_ptr<const Model> model, StepMaker maker) {
+  m_workers.clear();
+  ++m_generation;  // what is being compiled would take the guest's place
+  if (std::exchange(m_compiling, 0)) emit compilingChanged();
+  m_wishes.clear();
+  m_simulation.setHands(m_wishes);
+  m_simulation.setRecording(nullptr);
+  StepperOptions options;
+  options.profile = model->scenario.profile;
+  m_simulation.setModel(std::move(model), options, false, std::move(maker));
+  m_carry = false;
+  m_guest = true;
+  emit guestChanged();
+  m_simulation.play();
+}
+
+void PlayLink::endGuest() {
+  if (!m_guest) return;
+  m_simulation.pause();
+  compile(false);
 }
 
 void PlayLink::reset() {

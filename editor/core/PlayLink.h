@@ -8,6 +8,7 @@
 #include "editor/core/Document.h"
 #include "simcore/live/LiveWatch.h"
 #include "simcore/live/SimulationThread.h"
+#include "simcore/live/StepMeter.h"
 
 namespace glenoid {
 
@@ -19,8 +20,8 @@ class PlayLink : public QObject {
  public:
   using Compiler = std::function<Result<std::shared_ptr<const Model>>(const Joint&, const Scenario&)>;
 
-  /// `document` must outlive this. Compiler and makers are the real ones outside of tests.
-  explicit PlayLink(Document& document, Compiler compiler = compileModel, StepMaker maker = makeStepperStep,
+  /// `document` must outlive this. Compiler and makers are the real ones outside of tests; without a StepMaker it is the meter's.
+  explicit PlayLink(Document& document, Compiler compiler = compileModel, StepMaker maker = {},
                     WatchMaker watchMaker = makeLiveWatch, QObject* parent = nullptr);
   ~PlayLink() override;
 
@@ -54,7 +55,18 @@ class PlayLink : public QObject {
   /// Where the hand of a tool is wanted: by who holds it, else by the run. Identity for an unknown tool.
   Pose handOf(int tool) const;
 
+  /// What each step took, while somebody wants it.
+  StepMeter& meter() { return m_meter; }
+
+  /// Something else than the document's scene, such as a failure of a study, takes its place and is run from its start by these steps,
+  /// until endGuest() or until the document changes in what is computed. Its hands are its own.
+  void playGuest(std::shared_ptr<const Model> model, StepMaker maker);
+  bool hasGuest() const { return m_guest; }
+  /// Back to the document's scene, at its start.
+  void endGuest();
+
  signals:
+  void guestChanged();
   void snapshotChanged();
   void noticesChanged();
   void compilingChanged();
@@ -70,11 +82,12 @@ class PlayLink : public QObject {
 
   Document& m_document;
   Compiler m_compiler;
+  StepMeter m_meter;
   SimulationThread m_simulation;
   std::vector<HandWish> m_wishes;
   std::shared_ptr<const std::vector<Notice>> m_told;  // as the run published them
   std::vector<Notice> m_notices;                      // in order
-  bool m_followRecording = true;
+  bool m_followRecording = true, m_guest = false;
   long m_generation = 0;
   int m_compiling = 0;
   bool m_carry = true;  // false as long as an opened scene has not been taken

@@ -31,11 +31,13 @@
 #include "editor/ui/SceneView.h"
 #include "editor/ui/StatusFigures.h"
 #include "editor/ui/ToolPanel.h"
+#include "editor/ui/Workspaces.h"
+#include "editor/ui/lab/LabDocks.h"
 #include "editor/ui/training/TasksPanel.h"
 
 namespace glenoid {
 
-MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter)
+MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter, LabServices lab)
     : m_document(parts.document), m_link(parts.link), m_display(parts.display), m_selection(parts.selection),
       m_loader(std::move(loader)), m_saver(std::move(saver)), m_starter(std::move(starter)), m_actions(this), m_jobs(m_document),
       m_problems(m_document, m_jobs), m_field(m_link) {
@@ -52,6 +54,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   makeColourActions();
   makeSimulationActions();
   m_author = new AuthorDocks(*this, m_actions, m_document, m_jobs, m_display, m_selection, m_view);
+  makeLab(std::move(lab));
   makeMenus();
   makeToolBars();
 
@@ -72,6 +75,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   connect(&m_document.undoStack(), &QUndoStack::indexChanged, this, [this] { refreshRun(); });
   connect(&m_link, &PlayLink::snapshotChanged, this, &MainWindow::refreshRun);
   connect(&m_link, &PlayLink::compilingChanged, this, &MainWindow::refreshRun);
+  connect(&m_link, &PlayLink::guestChanged, this, &MainWindow::refreshRun);
   connect(&m_link, &PlayLink::problem, this, [this](const Error& error) { showProblem(sentenceOf(error)); });
   connect(&m_link, &PlayLink::compiled, this, [this] { showProblem({}); });
   retranslate();
@@ -196,6 +200,22 @@ void MainWindow::makeDocumentDocks() {
   m_docks[2]->raise();
 }
 
+/// The lab, and what each workspace shows.
+void MainWindow::makeLab(LabServices services) {
+  m_lab = new LabDocks(*this, m_actions, m_document, m_link, m_jobs, m_view, std::move(services));
+  connect(m_lab, &LabDocks::problem, this, &MainWindow::showProblem);
+  connect(m_lab, &LabDocks::reportWritten, this, [this](const QString& file) { statusBar()->showMessage(tr("The report is in %1").arg(file), 20000); });
+  m_workspaces = new Workspaces(*this, m_actions);
+  QStringList author;
+  for (const std::vector<QDockWidget*>& docks : {std::vector(m_docks.begin() + 2, m_docks.end()), std::vector(m_docks.begin(), m_docks.begin() + 2), m_author->docks()})
+    for (const QDockWidget* dock : docks) author << dock->objectName();
+  author << m_author->toolBar()->objectName();
+  m_workspaces->add({QStringLiteral("author"), [] { return Actions::Words{tr("&Author"), tr("Show what joints and scenes are made with")}; },
+                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_1), author, 0});
+  m_workspaces->add({QStringLiteral("lab"), [] { return Actions::Words{tr("&Lab"), tr("Show what accuracy costs, what stays stable and what each effect costs")}; },
+                     QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_2), m_lab->dockNames(), 660});
+}
+
 // ---- Texts
 
 void MainWindow::retranslate() {
@@ -206,6 +226,8 @@ void MainWindow::retranslate() {
   const QStringList docks = {tr("Parts"), tr("Layers"), tr("Properties"), tr("Tools"), tr("Problems"), tr("History"), tr("Tasks")};
   for (std::size_t i = 0; i < m_docks.size(); ++i) m_docks[i]->setWindowTitle(docks.value(static_cast<int>(i)));
   m_author->retranslate();
+  m_lab->retranslate();
+  m_workspaces->menu()->setTitle(tr("&Workspace"));
   m_builtinMenu->setTitle(tr("Open a &built-in scene"));
   if (m_starterMenu) m_starterMenu->setTitle(tr("New joint from a &template"));
   m_languageMenu->setTitle(tr("&Language"));
@@ -245,6 +267,7 @@ void MainWindow::refreshRun() {
                        : !open                  ? tr("No scene is open")
                        : snapshot.rejectedSteps ? tr("%n step(s) could not be taken; the last good state was kept", nullptr,
                                                      static_cast<int>(snapshot.rejectedSteps))
+                       : m_link.hasGuest()      ? tr("Showing a failure of a study in place of the scene")
                        : snapshot.playing       ? tr("Running")
                                                 : tr("Paused");
   if (m_busy && m_busy->text() != busy) m_busy->setText(busy);
@@ -329,6 +352,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   m_link.pause();
+  m_lab->stopStudies();
   QMainWindow::closeEvent(event);
 }
 

@@ -8,6 +8,7 @@
 #include "editor/core/JobSystem.h"
 #include "editor/core/PlayLink.h"
 #include "editor/core/ProblemWatch.h"
+#include "editor/lab/LabServices.h"
 #include "editor/ui/Actions.h"
 #include "editor/ui/GlProbe.h"
 #include "simcore/export/ExportJoint.h"
@@ -20,6 +21,7 @@ class QToolBar;
 namespace glenoid {
 
 class AuthorDocks;
+class LabDocks;
 class LayersPanel;
 class PartTree;
 class PropertiesPanel;
@@ -27,6 +29,7 @@ class SceneView;
 class StatusFigures;
 class TasksPanel;
 class ToolPanel;
+class Workspaces;
 
 /// Makes a small joint to begin with in a new folder (`kind`: of starterKinds) and answers the path of its scenario; comes from the
 /// application. `goOn` gets how much is done, 0…1, and ends it with Cancelled when it answers false. May run on any thread.
@@ -44,8 +47,8 @@ class MainWindow : public QMainWindow {
     Selection& selection;
   };
 
-  /// Without a starter no joint is begun from a template.
-  MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter = {});
+  /// Without a starter no joint is begun from a template; without the lab's services no study is run.
+  MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader loader, SceneSaver saver, SceneStarter starter = {}, LabServices lab = {});
   ~MainWindow() override;
 
   SceneView* view() const { return m_view; }  ///< null without OpenGL
@@ -54,6 +57,8 @@ class MainWindow : public QMainWindow {
   JobSystem& jobs() { return m_jobs; }
   ProblemWatch& problems() { return m_problems; }
   AuthorDocks& author() { return *m_author; }
+  LabDocks& lab() { return *m_lab; }
+  Workspaces& workspaces() { return *m_workspaces; }
   FieldView& field() { return m_field; }
   TasksPanel& tasks() { return *m_tasks; }
   /// Reads a scene on a worker and shows it; a problem becomes a sentence above the view.
@@ -93,6 +98,7 @@ class MainWindow : public QMainWindow {
   void makeToolBars();
   void makeDocks();
   void makeDocumentDocks();
+  void makeLab(LabServices services);
   QWidget* makeCentre(const GlProbe& graphics);
   void retranslate();
   void refreshTitle();
@@ -125,6 +131,8 @@ class MainWindow : public QMainWindow {
   FieldView m_field;
   SceneView* m_view = nullptr;
   AuthorDocks* m_author = nullptr;
+  LabDocks* m_lab = nullptr;
+  Workspaces* m_workspaces = nullptr;
   PartTree* m_tree = nullptr;
   LayersPanel* m_layers = nullptr;
   PropertiesPanel* m_properties = nullptr;

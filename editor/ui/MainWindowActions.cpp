@@ -24,6 +24,10 @@
 #include "editor/ui/MainWindow.h"
 #include "editor/ui/SceneView.h"
 #include "editor/ui/Theme.h"
+#include "editor/ui/Workspaces.h"
+#include "editor/ui/lab/LabDocks.h"
+#include "editor/ui/Workspaces.h"
+#include "editor/ui/lab/LabDocks.h"
 #include "simcore/starter/Starter.h"
 
 namespace glenoid {
@@ -292,9 +296,11 @@ void MainWindow::makeMenus() {
   fill(file, {"open", "openJoint", "import"});
   m_builtinMenu = file->addMenu(QString());
   for (const char* name : kBuiltins) m_builtinMenu->addAction(m_actions[QLatin1String(name)]);
-  fill(file, {"recover", "-", "save", "saveAs", "exportJoint", "picture", "-", "quit"});
+  fill(file, {"recover", "-", "save", "saveAs", "exportJoint", "picture", "report", "-", "quit"});
   fill(menu(), {"undo", "redo", "-", "deleteParts", "mirrorJoint", "selectNone"});
   QMenu* view = menu();
+  view->addMenu(m_workspaces->menu());
+  view->addSeparator();
   fill(view, {"frame", "frameAll", "home"});
   m_sideMenu = view->addMenu(themedIcon("view"), QString());
   for (const Side side : kSides) m_sideMenu->addAction(m_actions[QStringLiteral("from.") + QLatin1String(sideName(side))]);
@@ -308,6 +314,7 @@ void MainWindow::makeMenus() {
   view->addSeparator();
   for (QDockWidget* dock : m_docks) view->addAction(dock->toggleViewAction());
   for (QDockWidget* dock : m_author->docks()) view->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : m_lab->docks()) view->addAction(dock->toggleViewAction());
   fill(view, {"-", "dark"});
   m_languageMenu = view->addMenu(QString());
   auto* group = new QActionGroup(this);

@@ -3,31 +3,9 @@
 
 #include <algorithm>
 
+#include "simcore/live/EffectStages.h"
+
 namespace glenoid {
-namespace {
-
-/// The stages that only one effect has. What several effects share (gravity, couplings and damping are all
-/// assembled at once) has no time of its own.
-struct EffectStages {
-  const char* effect;
-  std::vector<Stage> own;
-  const char* shared;
-};
-const std::vector<EffectStages>& effectStages() {
-  static const std::vector<EffectStages> table = {
-      {"contact", {Stage::Surfaces, Stage::Collide, Stage::Islands, Stage::Delassus, Stage::Contact}, ""},
-      {"gravity", {}, "assemble"},
-      {"couplings", {}, "assemble"},
-      {"damping", {}, "assemble"},
-      {"friction", {Stage::Friction}, ""},
-      {"bursa", {Stage::Bursa}, ""},
-      {"dent", {Stage::Dent}, ""},
-      {"selfContact", {Stage::SelfContact}, ""},
-  };
-  return table;
-}
-
-}  // namespace
 
 RunGather::RunGather(const Model& model, const Recording* input, long steps, Profile profile)
     : m_model(model),
@@ -111,16 +89,15 @@ void RunGather::finish(RunReport& report) {
   std::vector<float> effect(m_step.size());
   for (const EffectPlan& plan : m_model.effects) {
     EffectReport entry{plan.name, plan.on ? "on" : "off", plan.reason, std::nullopt, ""};
-    const auto& table = effectStages();
-    const auto found = std::find_if(table.begin(), table.end(), [&](const auto& row) { return plan.name == row.effect; });
+    const EffectStages* found = stagesOfEffect(plan.name);
     if (!plan.on) {
       entry.ms = 0;  // off: no code of it runs
-    } else if (found != table.end() && !found->own.empty()) {
+    } else if (found && !found->own.empty()) {
       std::fill(effect.begin(), effect.end(), 0.0f);
       for (const Stage stage : found->own)
         for (std::size_t i = 0; i < effect.size(); ++i) effect[i] += m_stages[static_cast<int>(stage)][i];
       entry.ms = timingOf(effect).median;
-    } else if (found != table.end()) {
+    } else if (found) {
       entry.timedWith = found->shared;
     }
     report.effects.push_back(entry);

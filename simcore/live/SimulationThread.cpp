@@ -27,6 +27,7 @@ struct SetModel {
   std::shared_ptr<const Model> model;
   StepperOptions options;
   bool carry;
+  StepMaker maker;
 };
 struct SetRecording {
   std::shared_ptr<const Recording> recording;
@@ -119,7 +120,7 @@ struct SimulationThread::Run {
         hands.restart(set.model->scenario, recording);
         session.restart(set.model->scenario);
       }
-      stepFunction = maker(set.model, set.options);
+      stepFunction = (set.maker ? set.maker : maker)(set.model, set.options);
     } else {
       playing = false;
     }
@@ -251,8 +252,8 @@ SimulationThread::~SimulationThread() {
   m_run->thread.join();
 }
 
-void SimulationThread::setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry) {
-  m_run->send(SetModel{std::move(model), options, carry});
+void SimulationThread::setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry, StepMaker maker) {
+  m_run->send(SetModel{std::move(model), options, carry, std::move(maker)});
 }
 
 void SimulationThread::setRecording(std::shared_ptr<const Recording> recording) {

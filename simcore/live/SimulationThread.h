@@ -63,8 +63,8 @@ class SimulationThread {
   SimulationThread& operator=(const SimulationThread&) = delete;
 
   /// `carry`: keep what moves by id, else start over. The hands keep their place when carried; carried into an equal
-  /// model, a run goes on to the same bits as if nothing had happened.
-  void setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry);
+  /// model, a run goes on to the same bits as if nothing had happened. `maker`: of this model's steps; null: the thread's own.
+  void setModel(std::shared_ptr<const Model> model, const StepperOptions& options, bool carry, StepMaker maker = {});
   /// Null: tools that nobody holds stay where they are.
   void setRecording(std::shared_ptr<const Recording> recording);
   void play();

@@ -31,6 +31,7 @@ void assembleIslands(Stepper::Work& work, const State& state) {
   const StageClock clock(work.report, Stage::Assemble);
   const double dt = work.settings.dt, loaded = dt * loadShareAt(work.model->scenario, state.time + dt);
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    const double begin = work.views ? StageClock::nowMs() : 0;
     const CouplingIslandModel& model = work.inside->islands[i];
     IslandWork& island = work.islands[i];
     island.A.setZero();
@@ -59,12 +60,14 @@ void assembleIslands(Stepper::Work& work, const State& state) {
       }
       assemblePoseSpring(bound.spring, body, target, dt, state, bound.entries, island.A, island.b.segment<6>(3 * bound.base));
     }
+    if (work.views) work.views->coupling[i].assembleMs += StageClock::nowMs() - begin;
   }
 }
 
 bool solveUnconstrained(Stepper::Work& work, const State& state) {
   bool good = true;
   for (std::size_t i = 0; i < work.islands.size(); ++i) {
+    const double begin = work.views ? StageClock::nowMs() : 0;
     IslandWork& island = work.islands[i];
     if (island.response) {
       {
@@ -89,6 +92,7 @@ bool solveUnconstrained(Stepper::Work& work, const State& state) {
       paper.cgCapped = paper.cgCapped || cg.capped;
       good = good && cg.finite;
     }
+    if (work.views) work.views->coupling[i].solveMs += StageClock::nowMs() - begin;
   }
   return good;
 }

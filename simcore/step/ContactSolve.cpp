@@ -281,15 +281,34 @@ void solveConstrained(Stepper::Work& work, const State& state) {
     island.chosen.clear();
     island.lambda.clear();
   }
-  for (const ContactIsland& island : islands) {
+  const auto solve = [&](const ContactIsland& island) {
     if (work.options.profile == Profile::Paper)
       solveContactIslandBySplitting(work, state, island);
     else
       solveContactIsland(work, state, island);
+  };
+  if (work.views) work.views->contact.clear();
+  for (const ContactIsland& island : islands) {
+    if (!work.views) {
+      solve(island);
+      continue;
+    }
+    work.unknowns.clear();  // an island without any leaves the last one's
+    const ContactSolverCounts before = report.contactSolver;
+    const double worst = std::exchange(report.complementarity, 0.0), begin = StageClock::nowMs();
+    solve(island);
+    viewIsland(work, island, before, begin);
+    report.complementarity = std::max(worst, report.complementarity);
   }
   const StageClock clock(report, Stage::Contact);
-  for (const ContactIsland& island : islands) report.pressing += countPressing(work, island);
+  for (std::size_t i = 0; i < islands.size(); ++i) {
+    const int pressing = countPressing(work, islands[i]);
+    report.pressing += pressing;
+    if (work.views) work.views->contact[i].pressing = pressing;
+  }
   report.residual = momentumResidual(work.islands);
+  if (work.views)
+    for (ContactIslandView& view : work.views->contact) viewResidual(work, view);
   if (work.options.profile == Profile::Paper) report.paper.outerResidual = report.residual;
   showContacts(work);
 }

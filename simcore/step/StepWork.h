@@ -16,6 +16,7 @@
 #include "simcore/linear/ConjugateGradients.h"
 #include "simcore/linear/RowPanels.h"
 #include "simcore/step/Actions.h"
+#include "simcore/step/IslandViews.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/step/Stepper.h"
 #include "simcore/step/TipLaw.h"
@@ -110,6 +111,7 @@ struct Stepper::Work {
   PaperSettings additions;            ///< all of them in every profile but `paper`
   double recoverySpeedMax = 0;        ///< of c, m/s; infinite where c is not cut
   StepReport report;
+  std::unique_ptr<IslandViews> views; ///< null: nobody watches islands
   std::vector<IslandWork> islands;
   std::vector<Pose> wanted;           ///< hand of each tool at the end of the step
   std::vector<Pose> hands;            ///< at the end of the part of it that is being solved
@@ -219,6 +221,11 @@ LcpReport solveChosen(Stepper::Work& work, int n, const LcpLimits& limits);
 void takeImpulses(Stepper::Work& work);
 /// Contacts and tool forces of the report.
 void showContacts(Stepper::Work& work);
+/// What islands did, into Work::views, which must be there (IslandViews.cpp): before the step; of a contact island that was just
+/// solved, from what was counted before it; and once all are.
+void beginViews(Stepper::Work& work);
+void viewIsland(Stepper::Work& work, const ContactIsland& island, const ContactSolverCounts& before, double beginMs);
+void viewResidual(Stepper::Work& work, ContactIslandView& view);
 /// The published splitting for one contact island, in place of the direct solve.
 void solveContactIslandBySplitting(Stepper::Work& work, const State& state, const ContactIsland& island);
 /// Prepares the splittings of an island at construction, and this step's D with its factor.

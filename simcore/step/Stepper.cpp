@@ -275,6 +275,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   report.dents.clear();
   for (Vec3& force : report.toolForces) force.setZero();
 
+  if (work.views) beginViews(work);
   takeHands(work, inputs, state);
   moveHands(work, state, 1);
   work.partBegin = state.time;

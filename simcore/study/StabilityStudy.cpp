@@ -45,7 +45,10 @@ Result<std::vector<StabilityVerdict>> runJobs(const std::vector<Job>& jobs, cons
       const std::lock_guard lock(mutex);
       if (failed) return;
       if (!verdict) failed = verdict.error();
-      else found[i] = std::move(*verdict);
+      else {
+        if (options.told) options.told(*verdict);
+        found[i] = std::move(*verdict);
+      }
       ++done;
       if (options.progress && !options.progress(static_cast<double>(done) / static_cast<double>(jobs.size()))) failed = Error{Fault::Cancelled, {}, {}, "stability"};
     }

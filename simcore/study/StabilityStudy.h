@@ -9,6 +9,8 @@
 
 namespace glenoid {
 
+struct StabilityVerdict;
+
 /// How the gauntlet is run.
 struct StabilityOptions {
   Profile profile = Profile::Direct;  ///< the one that counts
@@ -19,6 +21,7 @@ struct StabilityOptions {
   double paperLimit = 10;             ///< likewise of `paper`
   std::vector<std::string> only;      ///< ids of cases; empty: all
   std::function<bool(double)> progress;  ///< 0…1, by one thread at a time; false cancels
+  std::function<void(const StabilityVerdict&)> told = {};  ///< of each trial as it ends, by one thread at a time
 };
 
 /// What came of one trial.

@@ -97,6 +97,7 @@ const std::vector<Library>& libraries() {
       {"libspnav", std::regex("^spnav\\.h$"), {"simcore/device"}},
       {"OpenIGTLink", std::regex("^igtl\\w*\\.h$"), {"simcore/device"}},
       {"CLI11", std::regex("^CLI/.*"), {"app"}},
+      {"QCustomPlot", std::regex("^qcustomplot\\.h$"), {"editor/ui"}},
   };
   return list;
 }
@@ -148,7 +149,7 @@ const std::vector<std::string>& simcoreOrder() {
 }
 
 const std::vector<std::string>& editorOrder() {
-  static const std::vector<std::string> order = {"render", "core", "ui"};
+  static const std::vector<std::string> order = {"render", "core", "lab", "ui"};
   return order;
 }
 
@@ -189,8 +190,8 @@ Findings checkQt(const SourceTree& tree, const std::set<std::string>& widgetHead
       if (!isQt(include)) continue;
       if (withoutQt) findings.push_back(at(file, include.line, "Qt has no place here: " + include.path));
       const bool widget = widgetHeaders.count(qtName(include.path)) || include.path.find("Widgets") != std::string::npos;
-      if (folder == "editor/core" && widget)
-        findings.push_back(at(file, include.line, "a widget in editor/core: " + include.path));
+      if ((folder == "editor/core" || folder == "editor/lab") && widget)
+        findings.push_back(at(file, include.line, "a widget in " + folder + ": " + include.path));
     }
   }
   return findings;

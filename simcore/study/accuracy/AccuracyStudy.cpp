@@ -131,13 +131,15 @@ Result<Done> makeReference(Ground& ground, AccuracyAgainst against, const Accura
   return finer ? Done{} : checkSolver(ground, scene, reference);
 }
 
-void sumUp(AccuracyRow& row, const Traces& traces) {
+void sumUp(AccuracyRow& row, const Traces& traces, double sceneDt) {
   long notTaken = 0, diverged = 0;
+  double cpuMs = 0;
   for (const AccuracyTrace& trace : traces) {
     row.steps += trace.steps;
     row.cappedSteps += trace.capped;
     row.unsolvedIslands += trace.unsolved;
     row.contacts += trace.contacts / static_cast<double>(traces.size());
+    cpuMs += trace.cpuMs;
     notTaken += trace.notTaken;
     diverged += trace.diverged;
     if (trace.deepest > row.deepest) {
@@ -145,6 +147,7 @@ void sumUp(AccuracyRow& row, const Traces& traces) {
       row.deepestWhere = trace.deepestWhere;
     }
   }
+  if (row.steps > 0) row.roughWorkMs = cpuMs / static_cast<double>(row.steps) * sceneDt / row.setting.dt;
   if (notTaken > 0) row.failure = {"not-finite", {}, notTaken, row.steps};
   else if (diverged > 0) row.failure = {"diverged", {}, diverged, row.steps};
 }
@@ -210,6 +213,7 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
     const auto made = makeReference(ground, static_cast<AccuracyAgainst>(r), result.scene, result.references[r], references[r]);
     if (!made) return made.error();
     if (result.references[r].missing) references[r].clear();
+    if (options.told) options.told(result, std::nullopt);
   }
 
   result.windows = ground.windows;
@@ -222,6 +226,9 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
   const auto keep = [&]() -> Result<Done> { return options.keep ? options.keep(result) : Done{}; };
   if (const auto kept = keep(); !kept) return kept.error();
 
+  const auto told = [&](std::size_t row) {
+    if (options.told) options.told(result, row);
+  };
   std::vector<std::unique_ptr<AccuracyPlayer>> players;
   for (const AccuracySetting& setting : settings) {
     const std::size_t index = indices[result.rows.size()];
@@ -250,6 +257,7 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
       players.push_back(nullptr);
       ground.done += 1;
       if (const auto kept = keep(); !kept) return kept.error();
+      told(result.rows.size() - 1);
       continue;
     }
     const std::vector<std::size_t> which = windowsOf(ground, setting);
@@ -258,27 +266,36 @@ Result<AccuracyResult> studyAccuracy(const StudyScene& scene, const AccuracyOpti
     ground.done += 1;
     row.windows = static_cast<int>(which.size());
     row.tetrahedra = tetrahedraOf((*player)->model());
-    sumUp(row, *traces);
+    sumUp(row, *traces, result.scene.dt);
     for (std::size_t r = 0; r < references.size(); ++r) {
       if (references[r].empty() || (static_cast<AccuracyAgainst>(r) == AccuracyAgainst::OwnCells && !row.ownCells)) continue;
       row.errors[r] = errorsOf(**base, *traces, those(references[r], which));
     }
     players.push_back(std::move(*player));
     if (const auto kept = keep(); !kept) return kept.error();
+    told(result.rows.size() - 1);
   }
 
   // A setting that breaks down is timed too: what it cost until then is part of why it is no good.
-  const std::vector<StepTimes> times = timeInterleaved(players, ground.windows, options, [&](double share) {
-    return ground.goOn("times", share * static_cast<double>(settings.size()));
-  });
+  const auto take = [&](std::span<const StepTimes> times) {
+    for (std::size_t k = 0; k < result.rows.size(); ++k) {
+      AccuracyRow& row = result.rows[k];
+      row.cpu = times[k].cpu;
+      row.wall = times[k].wall;
+      row.timed = times[k].count;
+      row.work = scaled(row.cpu, result.scene.dt / row.setting.dt);
+    }
+  };
+  std::function<void(std::span<const StepTimes>)> soFar;
+  if (options.told)
+    soFar = [&](std::span<const StepTimes> times) {
+      take(times);
+      for (std::size_t k = 0; k < result.rows.size(); ++k) told(k);
+    };
+  const std::vector<StepTimes> times = timeInterleaved(
+      players, ground.windows, options, [&](double share) { return ground.goOn("times", share * static_cast<double>(settings.size())); }, soFar);
   if (times.empty()) return cancelled();
-  for (std::size_t k = 0; k < result.rows.size(); ++k) {
-    AccuracyRow& row = result.rows[k];
-    row.cpu = times[k].cpu;
-    row.wall = times[k].wall;
-    row.timed = times[k].count;
-    row.work = scaled(row.cpu, result.scene.dt / row.setting.dt);
-  }
+  take(times);
   return result;
 }
 

@@ -40,6 +40,8 @@ struct AccuracyOptions {
   const AccuracyResult* resume = nullptr;
   /// What is there so far, without times: when the references are made, and after every setting.
   std::function<Result<Done>(const AccuracyResult&)> keep;
+  /// What is known so far, for who watches: after each reference, and of the row whose errors or, repeat by repeat, times have come.
+  std::function<void(const AccuracyResult&, std::optional<std::size_t> row)> told = {};
 };
 /// Within five minutes for a scene of the shoulder's size.
 AccuracyOptions quickAccuracy();
@@ -66,6 +68,7 @@ struct AccuracyRow {
   long timed = 0;                                ///< steps
   /// ms for as much simulated time as one of the scene's own steps: what settings with other time steps can be compared by.
   Timing work;
+  double roughWorkMs = 0;  ///< mean over the windows, as work, before `work` is known: measured while steps were looked at
 };
 
 /// A reference and how far its own last refinement moved it. Both are solved by `direct`; that of the scene's own cells is also

@@ -22,12 +22,27 @@ void takeSteps(AccuracyPlayer& player, const State& start, int steps, Sampler& s
   }
 }
 
+StepTimes timesOf(Sampler sampler) {
+  StepTimes times;
+  times.count = static_cast<long>(sampler.cpu.size());
+  if (times.count == 0) return times;
+  times.cpu = timingOf(sampler.cpu);
+  times.wall = timingOf(sampler.wall);
+  return times;
+}
+
 }  // namespace
 
 std::vector<StepTimes> timeInterleaved(std::span<const std::unique_ptr<AccuracyPlayer>> players, std::span<const AccuracyWindow> windows,
-                                       const AccuracyOptions& options, const std::function<bool(double)>& progress) {
+                                       const AccuracyOptions& options, const std::function<bool(double)>& progress,
+                                       const std::function<void(std::span<const StepTimes>)>& soFar) {
   std::vector<Sampler> samplers(players.size());
-  for (int repeat = 0; repeat < options.repeats; ++repeat)
+  const auto allTimes = [&] {
+    std::vector<StepTimes> times;
+    for (const Sampler& sampler : samplers) times.push_back(timesOf(sampler));
+    return times;
+  };
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {
     for (std::size_t k = 0; k < players.size(); ++k) {
       if (!progress(static_cast<double>(repeat * static_cast<int>(players.size()) + static_cast<int>(k)) /
                     static_cast<double>(options.repeats * static_cast<int>(players.size()))))
@@ -44,15 +59,9 @@ std::vector<StepTimes> timeInterleaved(std::span<const std::unique_ptr<AccuracyP
       }
       for (const State& state : sampler.states) takeSteps(*players[k], state, options.stepsTimed, sampler);
     }
-  std::vector<StepTimes> times;
-  for (Sampler& sampler : samplers) {
-    StepTimes& one = times.emplace_back();
-    one.count = static_cast<long>(sampler.cpu.size());
-    if (one.count == 0) continue;
-    one.cpu = timingOf(sampler.cpu);
-    one.wall = timingOf(sampler.wall);
+    if (soFar && repeat + 1 < options.repeats) soFar(allTimes());
   }
-  return times;
+  return allTimes();
 }
 
 }  // namespace glenoid

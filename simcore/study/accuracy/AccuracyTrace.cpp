@@ -79,6 +79,7 @@ AccuracyTrace AccuracyPlayer::play(const AccuracyWindow& window, const WindowWis
       trace.capped += report.paper.cgCapped || report.paper.outerCapped;
       trace.unsolved += report.pivotsExhausted;
       trace.contacts += report.contacts;
+      trace.cpuMs += report.stepCpuMs;
       for (const ContactView& contact : report.contactViews) {
         const auto a = static_cast<std::size_t>(contact.objectA), b = static_cast<std::size_t>(contact.objectB);
         const Vec3 force = (contact.force * contact.normal_W + contact.friction_W) / static_cast<double>(each);

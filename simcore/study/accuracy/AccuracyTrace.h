@@ -28,6 +28,7 @@ struct AccuracyTrace {
   std::string deepestWhere;
   long steps = 0, notTaken = 0, diverged = 0, capped = 0, unsolved = 0;  ///< unsolved: contact islands not right to the tolerance
   double contacts = 0;                  ///< mean rows of a step
+  double cpuMs = 0;                     ///< thread CPU time of all steps: while they are looked at, not as they are timed
 };
 
 /// Plays windows of one setting. The model must hold the same objects in the same order as that of the windows' states.

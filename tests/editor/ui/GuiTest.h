@@ -37,7 +37,7 @@ class GuiTest : public testing::Test {
     window = std::make_unique<MainWindow>(
         MainWindow::Parts{document, link, display, selection}, probeGraphics(),
         [this](const std::string& path) { return load(path); },
-        [this](const Scene& scene, const std::string& path) { return save(scene, path); });
+        [this](const Scene& scene, const std::string& path) { return save(scene, path); }, SceneStarter(), labServices());
     window->resize(1280, 800);
     window->show();
     window->activateWindow();  // with no window manager nothing else gives it the focus
@@ -56,6 +56,9 @@ class GuiTest : public testing::Test {
     return blockScene();
   }
   virtual Result<Done> save(const Scene&, const std::string&) { return Done{}; }
+
+  /// What the lab asks of the application; nothing: studies cannot be run.
+  virtual LabServices labServices() { return {}; }
 
   template <class Condition>
   bool until(Condition holds, int milliseconds = 20000) {
