@@ -12,6 +12,7 @@ void addStudyCommand(CLI::App& app, int& status) {
   study->require_subcommand(1);
   addAccuracyStudy(*study, status);
   addStabilityStudy(*study, status);
+  addTruthStudy(*study, status);
 }
 
 }  // namespace glenoid

@@ -10,5 +10,6 @@ namespace glenoid {
 /// Each adds one study to `glenoid study`.
 void addAccuracyStudy(CLI::App& study, int& status);
 void addStabilityStudy(CLI::App& study, int& status);
+void addTruthStudy(CLI::App& study, int& status);
 
 }  // namespace glenoid
