@@ -172,6 +172,28 @@ VecX EmbeddedBody::solve() const {
   return u;
 }
 
+bool EmbeddedBody::isDeep(const TriangleTree& surface, int node) const {
+  const Vec3& x = m_mesh->nodes[static_cast<std::size_t>(node)];
+  return surface.inside(x) && (surface.closest(x).point - x).norm() > 2 * m_cell;
+}
+
+VecX EmbeddedBody::solveInside(const std::function<Vec3(const Vec3&)>& field) const {
+  constexpr double kPinned = 1e9;  // of a node's own stiffness
+  const TriangleTree surface(m_surface.mesh);
+  BlockMatrix K = held();
+  VecX u = m_pull;
+  const Mat3 pin = kPinned * m_young * m_cell * Mat3::Identity();
+  for (int i = 0; i < nodes(); ++i) {
+    if (isDeep(surface, i)) continue;
+    K.add(m_symbolic->entry(i, i), pin);
+    u.segment<3>(3 * i) += pin * field(m_mesh->nodes[static_cast<std::size_t>(i)]);
+  }
+  BlockCholesky factor(m_symbolic);
+  if (!factor.factor(K)) return VecX::Constant(m_pull.size(), NAN);
+  factor.solve(u);
+  return u;
+}
+
 std::vector<double> EmbeddedBody::frequencies(int count, std::vector<VecX>* shapes) const {
   const BlockMatrix K = held(), M = assembled(0);
   BlockCholesky factor(m_symbolic);
@@ -234,7 +256,7 @@ double EmbeddedBody::affineImbalance(const Mat3& F) const {
   for (int i = 0; i < nodes(); ++i) {
     const Vec3 X = m_rest.q.segment<3>(3 * i), force = forces.segment<3>(3 * i);
     moment += force * X.transpose();
-    if (surface.inside(X) && (surface.closest(X).point - X).norm() > 2 * m_cell) inside = std::max(inside, force.lpNorm<Eigen::Infinity>());
+    if (isDeep(surface, i)) inside = std::max(inside, force.lpNorm<Eigen::Infinity>());
   }
   return std::max(inside / forces.lpNorm<Eigen::Infinity>(), (moment - wanted).norm() / wanted.norm());
 }

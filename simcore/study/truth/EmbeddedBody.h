@@ -8,6 +8,7 @@
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Cells.h"
 #include "simcore/linear/BlockCholesky.h"
+#include "simcore/spatial/TriangleTree.h"
 #include "simcore/scene/Scenario.h"
 
 namespace glenoid::truth {
@@ -44,6 +45,9 @@ class EmbeddedBody {
 
   /// Displacements under what was pulled.
   VecX solve() const;
+  /// Displacements where every node that does not lie deeper than two cells in the body moves as `field` says of it: inside, a field that needs no
+  /// body force is to come out again.
+  VecX solveInside(const std::function<Vec3(const Vec3& x)>& field) const;
   /// The lowest natural frequencies, 1/s, ascending.
   std::vector<double> frequencies(int count, std::vector<VecX>* shapes = nullptr) const;
   /// Share of a shape's squares that points from the origin, over nodes more than a tenth of the body's reach away from it.
@@ -68,6 +72,7 @@ class EmbeddedBody {
   };
   std::vector<Spread> spreadOver(std::string_view marks) const;
   BlockMatrix held() const;
+  bool isDeep(const TriangleTree& surface, int node) const;
 
   MarkedSurface m_surface;
   double m_young, m_cell;

@@ -26,8 +26,8 @@ std::vector<double> taperedMembrane(const TruthSetup& setup, double cell, int co
 /// Cook's membrane (Cook 1974), plane stress, E 1, ν 1/3: how far the middle of its right side rises under a force of 1, 23.96.
 inline constexpr double kCookRise = 23.96;
 Result<TruthValue> cookMembrane(const TruthSetup& setup, double cell);
-/// The same outline 10 mm thick, E 70 MPa, ν 0.33, shear of 6.25 MPa, clamped: its upper right corner rises by 32.27 mm (CalculiX, fine
-/// quadratic mesh; Code_Aster 32.20, Elmer 32.28). Source: CoFEA, benchmark 002.
+/// The same outline as a solid between two planes of symmetry, E 70 MPa, ν 0.33, shear of 6.25 MPa, clamped: its upper right corner rises by
+/// 32.27 mm (CalculiX, fine quadratic mesh; Code_Aster 32.20, Elmer 32.28). Source: CoFEA, benchmark 002.
 inline constexpr double kCookSolidRise = 32.27;
 Result<TruthValue> cookSolid(const TruthSetup& setup, double cell);
 
@@ -35,7 +35,7 @@ Result<TruthValue> cookSolid(const TruthSetup& setup, double cell);
 inline constexpr double kLambSpheroidal = 2.640;
 Result<TruthValue> elasticBall(const TruthSetup& setup, double cellInRadii);
 
-/// A smooth field without body force (Papkovich and Neuber) in a box that lies askew in the grid, pulled by its own tractions: error of
+/// A smooth field without body force (Papkovich and Neuber) in a box that lies askew in the grid, given at all nodes but those inside: error of
 /// displacements, root mean square over the box, as a share of theirs. `cell`: of a box of 1 × 0.8 × 0.6.
 Result<TruthValue> smoothField(const TruthSetup& setup, double cell);
 

@@ -117,7 +117,7 @@ std::vector<TruthProblem> motionProblems() {
                  {0.02, 0.005, 0.001}, 3, false, {1e-9, 1e-9}, {}, [](const TruthSetup& setup, double dt) { return springPair(setup, dt, false); }, {},
                  "a scenario cannot begin with a spring pulled apart"});
   all.push_back({"hanging-bar", "A bar that hangs by its own weight", "how much longer it gets", "m", kBarDensity * 9.81 * kBarDown * kBarDown / (2 * kBarYoung), "ρ g L² / 2E", "cell",
-                 "m", {0.02, 0.01, 0.005}, 2, true, {5e-4, 1e-3, 1.7}, {5e-4, 1e-3}, hangingBarGrowth,
+                 "m", {0.02, 0.01, 0.005}, 2, true, {1e-3, 1e-3, 1.5}, {1e-3, 1e-3}, hangingBarGrowth,
                  [](const TruthSetup& setup, double cell) {
                    TruthScene scene = hangingBar(static_cast<int>(std::lround(0.02 / cell)), setup.stiffness * kBarYoung, kBarDensity);
                    scene.scenario.dt = 0.1;

@@ -103,31 +103,32 @@ TruthScene contactPatch(int below, int above, double stiffness) {
     for (int i = 0; i <= count; ++i) at.push_back(from + (to - from) * i / count);
     return at;
   };
-  const auto part = [&](const char* id, int number, double half, double bottom, double top, int along, int up) {
-    const std::vector<double> across = evenly(-half, half, along), height = evenly(bottom, top, up);
-    Part soft = boxPart(id, number, PartKind::Soft, Vec3(-half, bottom, -half), Vec3(half, top, half));
+  const auto part = [&](const char* id, int number, double side, double bottom, double top, int along, int up) {
+    const std::vector<double> across = evenly(0, side, along), height = evenly(bottom, top, up);
+    Part soft = boxPart(id, number, PartKind::Soft, Vec3(0, bottom, 0), Vec3(side, top, side));
     soft.visual = soft.collision = std::make_shared<const TriMesh>(gradedSurface(across, height, across));
     soft.volume = std::make_shared<const TetMesh>(gradedVolume(across, height, across));
-    soft.cellSize = 2 * half / along;
+    soft.cellSize = side / along;
     return soft;
   };
-  Part slab = part("slab", 1, 0.04, -0.02, 0, below, std::max(1, below / 4)), block = part("block", 2, 0.02, 0, 0.02, above, std::max(1, above / 2));
-  slab.regions = {regionIn(slab, "bottom", levelAt(1, -0.02)), regionIn(slab, "top", levelAt(1, 0))};
-  block.regions = {regionIn(block, "top", levelAt(1, 0.02))};
+  Part slab = part("slab", 1, 0.08, -0.02, 0, below, std::max(1, below / 4)), block = part("block", 2, 0.04, kPatchGap, 0.02 + kPatchGap, above, std::max(1, above / 2));
+  slab.regions = {regionIn(slab, "bottom", levelAt(1, -0.02)), regionIn(slab, "top", levelAt(1, 0)), regionIn(slab, "left", levelAt(0, 0)), regionIn(slab, "back", levelAt(2, 0))};
+  block.regions = {regionIn(block, "top", levelAt(1, 0.02 + kPatchGap)), regionIn(block, "left", levelAt(0, 0)), regionIn(block, "back", levelAt(2, 0))};
   // What the slab shows beside the block.
   std::vector<int> open;
   for (const int t : trianglesOf(slab.regions[1])) {
     const auto& c = slab.visual->triangles[static_cast<std::size_t>(t)];
     const Vec3 middle = (slab.visual->vertices[c[0]] + slab.visual->vertices[c[1]] + slab.visual->vertices[c[2]]) / 3;
-    if (std::max(std::abs(middle.x()), std::abs(middle.z())) > 0.02) open.push_back(t);
+    if (std::max(middle.x(), middle.z()) > 0.04) open.push_back(t);
   }
   slab.regions[1] = {"open", "open", "other", SurfaceKind::Visual, runsOf(open)};
   scene.joint.parts = {slab, block};
   Scenario& s = scene.scenario;
   s.gravity_W.setZero();
   s.effects.friction = s.effects.selfContact = Wish::Off;
-  const double stiff = 1e4 * kPatchYoung / 0.02, weak = 1e-5 * kPatchYoung / 0.02;
-  s.supports = {{"slab", "bottom", Axes{false, true, false}, stiff, 0}, {"slab", "bottom", Axes{true, false, true}, weak, 0}, {"block", "top", Axes{true, false, true}, weak, 0}};
+  const double stiff = 1e4 * kPatchYoung / 0.02;
+  s.supports = {{"slab", "bottom", Axes{false, true, false}, stiff, 0}, {"slab", "left", Axes{true, false, false}, stiff, 0}, {"slab", "back", Axes{false, false, true}, stiff, 0},
+                {"block", "left", Axes{true, false, false}, stiff, 0}, {"block", "back", Axes{false, false, true}, stiff, 0}};
   s.pressures = {{"block", "top", kPatchPressure}, {"slab", "open", kPatchPressure}};
   s.dt = 0.05;
   s.contactDistance = 5e-4;

@@ -36,8 +36,8 @@ void judge(TruthVerdict& verdict) {
   const TruthPoint& finest = verdict.points.back();
   verdict.withinBar = finest.failure.empty() && finest.found.error <= verdict.bar;
   for (const TruthPoint& point : verdict.points) verdict.withinBar = verdict.withinBar && point.failure.empty();
-  // Errors that are round-off have no order to hold.
-  verdict.orderHeld = verdict.orderBar == 0 || std::isnan(verdict.order) || verdict.order >= verdict.orderBar;
+  // Two points make no order to judge by, and errors that are round-off have none.
+  verdict.orderHeld = verdict.orderBar == 0 || verdict.points.size() < 3 || std::isnan(verdict.order) || verdict.order >= verdict.orderBar;
 }
 
 }  // namespace
