@@ -14,6 +14,7 @@ void addStudyCommand(CLI::App& app, int& status) {
   addStabilityStudy(*study, status);
   addEffectsStudy(*study, status);
   addStudyReport(*study, status);
+  addTruthStudy(*study, status);
 }
 
 }  // namespace glenoid

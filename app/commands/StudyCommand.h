@@ -13,5 +13,6 @@ void addEffectsStudy(CLI::App& study, int& status);
 void addStabilityStudy(CLI::App& study, int& status);
 /// What they found, as one document.
 void addStudyReport(CLI::App& study, int& status);
+void addTruthStudy(CLI::App& study, int& status);
 
 }  // namespace glenoid

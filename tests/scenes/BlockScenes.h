@@ -2,28 +2,20 @@
 #pragma once
 #include "simcore/scene/Joint.h"
 #include "simcore/scene/Scenario.h"
+#include "simcore/study/truth/TruthBlocks.h"
 
 /// Joints of boxes, small enough to reason about by hand. Metres, Y up.
 namespace glenoid::scenes {
 
-/// Closed box with `n` squares along each edge, wound outwards.
-TriMesh boxSurface(const Vec3& low, const Vec3& high, int n = 1);
-
-/// The box cut into n³ bricks of five tetrahedra each, faces matching.
-TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz);
-
-/// A part with a box as both surfaces and, if soft, boxVolume of cells per edge. Material ids: "bone", "tissue".
-Part boxPart(const std::string& id, int number, PartKind kind, const Vec3& low, const Vec3& high, int cells = 2);
-
-/// Region of all visual triangles whose centroid lies in a box.
-Region regionIn(const Part& part, const std::string& id, const Box3& box);
+using truth::addMaterials;
+using truth::boxPart;
+using truth::boxSurface;
+using truth::boxVolume;
+using truth::regionIn;
 
 /// Elements that the scenarios of all these scenes ask for: none, or cells where the environment says so
 /// (GLENOID_ELEMENTS=cells), by which a test is run again with those.
 std::optional<Elements> wishedElements();
-
-/// Adds materials "bone" (2000 kg/m³) and "tissue" (1000 kg/m³, 50 kPa, ν 0.4, β 1e-3 s).
-void addMaterials(Joint& joint);
 
 /// The paper's Figure 4: rigid 1 – soft 2 – rigid 3 in a row along X, coupled at both faces. Part 1 is fixed.
 Joint figure4Joint();

@@ -5,10 +5,9 @@
 /// Scenes whose answer is known: a closed form, a conserved quantity, a published solution. Metres, Y up.
 namespace glenoid::scenes {
 
-struct LadderScene {
-  Joint joint;
-  Scenario scenario;
-};
+using LadderScene = truth::TruthScene;
+using truth::gradedSurface;
+using truth::gradedVolume;
 
 /// A rigid and a soft box, far apart, falling freely. Nothing touches anything.
 LadderScene twoFallingBoxes();
@@ -29,14 +28,6 @@ LadderScene chainAndLooseBlock();
 /// A soft band of 8 cm × 1 cm × 5 mm along X between two fixed boxes to which it is coupled. No gravity, no
 /// contact.
 LadderScene bandBetweenWalls();
-
-/// Node positions of a soft box between `low` and `high`, graded: as boxVolume but with these coordinates
-/// along each axis.
-TetMesh gradedVolume(const std::vector<double>& x, const std::vector<double>& y,
-                     const std::vector<double>& z);
-/// Its surface with the same grid, wound outwards.
-TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y,
-                      const std::vector<double>& z);
 
 /// A rigid ball resting with its lowest point at the origin, on a soft block (ν 0.3) that is glued to a fixed
 /// plate far below. The block is cut finely where they touch: cells of `cell` there, growing by `growth`

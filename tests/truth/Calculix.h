@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <cstdlib>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
 
-#include "simcore/base/Math.h"
+#include "simcore/study/truth/BrickProblem.h"
+#include "tests/simcore/file/TemporaryFolder.h"
 
 namespace glenoid::truth {
-
-/// A problem over a mapped quadrilateral times [0, thickness], solved by another program: CalculiX (`ccx`), with quadratic
-/// bricks of 20 nodes whose faces follow the body. It shares nothing with the elements, grids and stress of this project.
-struct BrickProblem {
-  std::function<Vec2(double, double)> map;  ///< as prism() has it
-  int ns = 8, nt = 8, nz = 2;               ///< bricks; nz even where a middle is held
-  double thickness = 1, young = 1, poisson = 0;
-  /// Whether a node with these coordinates of the map, 0 … 1 each, is held along an axis.
-  std::function<bool(double s, double t, double z, int axis)> held;
-  char pressed = '+';                       ///< mark of the side under pressure, 'd' (t = 1) or '+' (above)
-  double pressure = 0;                      ///< on it, inwards
-  std::function<double(double, double)> lift = {};  ///< by how much the body stands higher over (s, t)
-};
-
-/// Runs the program on NAME.inp in a folder; whether it ended well.
-bool runCalculix(const std::string& folder, const std::string& name);
-
-/// Whether the program is installed here.
-bool hasCalculix();
 
 /// Leaves a test out, saying so, where the program is not installed. tests/run.sh installs it, so in continuous integration
 /// (CI is set) its absence is a failure.
@@ -37,9 +15,13 @@ bool hasCalculix();
     GTEST_SKIP() << "CalculiX (calculix-ccx) is not installed";                                               \
   }
 
-/// Stress (mean of the elements around) at the node at (s, t, z), 0 … 1 each; nothing where the program failed.
-std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z);
-/// The lowest natural frequencies, 1/s, ascending, those of rigid motions of a free body too; nothing where the program failed.
-std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count);
+inline std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z) {
+  const TemporaryFolder folder;
+  return stressByCalculix(problem, s, t, z, folder.path(), "body");
+}
+inline std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count) {
+  const TemporaryFolder folder;
+  return frequenciesByCalculix(problem, density, count, folder.path(), "body");
+}
 
 }  // namespace glenoid::truth

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "tests/truth/Calculix.h"
-#include "tests/truth/EmbeddedBody.h"
+#include "simcore/study/truth/EmbeddedBody.h"
 
 namespace glenoid::truth {
 namespace {

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/truth/EmbeddedBody.h"
+#include "simcore/study/truth/EmbeddedBody.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Fill.h"
 #include "simcore/embed/WholeCells.h"
+#include "simcore/mesh/TetTools.h"
 #include "simcore/reading/StressRecovery.h"
+#include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::truth {
 
@@ -61,7 +66,7 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
 
 EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density,
                            GridAxes axes)
-    : m_surface(std::move(surface)), m_young(young), m_cell(std::cbrt(cell.prod())) {
+    : m_surface(std::move(surface)), m_young(young), m_cell(std::cbrt(cell.prod())), m_lame(lameFrom(young, poisson)) {
   const TriMesh& mesh = m_surface.mesh;
   TetMesh cut = (axes == GridAxes::World ? embedInCells(mesh, mesh, CellGrid{{}, cell}) : embedAlong(mesh, mesh, cell.x(), axes)).value();
   const ElementTissue alike{lameFrom(young, poisson), density};
@@ -106,7 +111,7 @@ std::vector<EmbeddedBody::Spread> EmbeddedBody::spreadOver(std::string_view mark
       const Vec3 area = 0.5 * (b - a).cross(c - a);
       for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {  // exact for quadratics
         places.push_back(middle);
-        spread.push_back({{}, area.norm() / 3, area.normalized()});
+        spread.push_back({middle, {}, area.norm() / 3, area.normalized()});
       }
     });
   }
@@ -116,12 +121,20 @@ std::vector<EmbeddedBody::Spread> EmbeddedBody::spreadOver(std::string_view mark
 }
 
 void EmbeddedBody::hold(std::string_view marks, int axis, double stiff) {
-  for (const Spread& place : spreadOver(marks)) m_held.push_back({place, axis, stiff});
+  draw(marks, axis, stiff, [](const Vec3&) { return 0.0; });
+}
+
+void EmbeddedBody::draw(std::string_view marks, int axis, double stiff, const std::function<double(const Vec3&)>& towards) {
+  for (const Spread& place : spreadOver(marks)) m_held.push_back({place, axis, stiff, towards(place.x)});
+}
+
+void EmbeddedBody::pull(char mark, const std::function<Vec3(const Vec3&, const Vec3&)>& traction) {
+  for (const Spread& place : spreadOver(std::string_view(&mark, 1)))
+    for (int k = 0; k < 4; ++k) m_pull.segment<3>(3 * place.at.node[k]) += place.at.weight[k] * place.area * traction(place.x, place.normal);
 }
 
 void EmbeddedBody::pull(char mark, const std::function<Vec3(const Vec3&)>& traction) {
-  for (const Spread& place : spreadOver(std::string_view(&mark, 1)))
-    for (int k = 0; k < 4; ++k) m_pull.segment<3>(3 * place.at.node[k]) += place.at.weight[k] * place.area * traction(place.normal);
+  pull(mark, [&](const Vec3&, const Vec3& normal) { return traction(normal); });
 }
 
 BlockMatrix EmbeddedBody::assembled(double dt) const {
@@ -138,7 +151,7 @@ BlockMatrix EmbeddedBody::held() const {
   // M + Δt² K for a Δt over which the mass is nothing, over Δt².
   BlockMatrix K = assembled(1), M = assembled(0);
   for (std::size_t i = 0; i < K.values().size(); ++i) K.values()[i] -= M.values()[i];
-  for (const auto& [place, axis, stiff] : m_held)
+  for (const auto& [place, axis, stiff, towards] : m_held)
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j <= i; ++j) {
         if (place.at.weight[i] == 0 || place.at.weight[j] == 0) continue;
@@ -153,11 +166,35 @@ VecX EmbeddedBody::solve() const {
   BlockCholesky factor(m_symbolic);
   if (!factor.factor(held())) return VecX::Constant(m_pull.size(), NAN);
   VecX u = m_pull;
+  for (const auto& [place, axis, stiff, towards] : m_held)
+    for (int i = 0; i < 4; ++i) u[3 * place.at.node[i] + axis] += stiff * m_young / m_cell * place.area * place.at.weight[i] * towards;
   factor.solve(u);
   return u;
 }
 
-std::vector<double> EmbeddedBody::frequencies(int count) const {
+bool EmbeddedBody::isDeep(const TriangleTree& surface, int node) const {
+  const Vec3& x = m_mesh->nodes[static_cast<std::size_t>(node)];
+  return surface.inside(x) && (surface.closest(x).point - x).norm() > 2 * m_cell;
+}
+
+VecX EmbeddedBody::solveInside(const std::function<Vec3(const Vec3&)>& field) const {
+  constexpr double kPinned = 1e9;  // of a node's own stiffness
+  const TriangleTree surface(m_surface.mesh);
+  BlockMatrix K = held();
+  VecX u = m_pull;
+  const Mat3 pin = kPinned * m_young * m_cell * Mat3::Identity();
+  for (int i = 0; i < nodes(); ++i) {
+    if (isDeep(surface, i)) continue;
+    K.add(m_symbolic->entry(i, i), pin);
+    u.segment<3>(3 * i) += pin * field(m_mesh->nodes[static_cast<std::size_t>(i)]);
+  }
+  BlockCholesky factor(m_symbolic);
+  if (!factor.factor(K)) return VecX::Constant(m_pull.size(), NAN);
+  factor.solve(u);
+  return u;
+}
+
+std::vector<double> EmbeddedBody::frequencies(int count, std::vector<VecX>* shapes) const {
   const BlockMatrix K = held(), M = assembled(0);
   BlockCholesky factor(m_symbolic);
   if (!factor.factor(K)) return {};
@@ -188,15 +225,52 @@ std::vector<double> EmbeddedBody::frequencies(int count) const {
   }
   std::vector<double> frequencies;
   for (int i = 0; i < count; ++i) frequencies.push_back(std::sqrt(squares[i]) / (2 * M_PI));
+  if (shapes)
+    for (int i = 0; i < count; ++i) shapes->push_back(X.col(i));
   return frequencies;
 }
 
-Vec3 EmbeddedBody::displacementAt(const VecX& u, const Vec3& x) const {
-  const std::vector<Vec3> places{x};
-  const VertexBinding at = bindToTets(*m_mesh, places)[0];
-  Vec3 sum = Vec3::Zero();
-  for (int k = 0; k < 4; ++k) sum += at.weight[k] * u.segment<3>(3 * at.node[k]);
-  return sum;
+double EmbeddedBody::radialShare(const VecX& shape) const {
+  double reach = 0, radial = 0;
+  for (const Vec3& x : m_mesh->nodes) reach = std::max(reach, x.norm());
+  for (int i = 0; i < nodes(); ++i)
+    if (m_mesh->nodes[i].norm() > 0.1 * reach) radial += std::pow(shape.segment<3>(3 * i).dot(m_mesh->nodes[i].normalized()), 2);
+  return radial / shape.squaredNorm();
+}
+
+double EmbeddedBody::affineImbalance(const Mat3& F) const {
+  State state = m_rest;
+  for (int i = 0; i < nodes(); ++i) state.q.segment<3>(3 * i) = F * m_rest.q.segment<3>(3 * i);
+  StepSettings settings;
+  settings.dt = 1;
+  settings.damping = false;
+  BlockMatrix A(m_symbolic);
+  VecX forces = VecX::Zero(m_layout.vSize), rotations = m_rest.rotations;
+  m_soft->assemble(settings, state, m_entries, rotations, A, forces);  // b = Δt F + M v with v = 0
+  const Eigen::JacobiSVD<Mat3> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Mat3 R = svd.matrixU() * svd.matrixV().transpose(), strain = R.transpose() * F - Mat3::Identity();
+  const Mat3 wanted = -enclosedVolume(m_surface.mesh) * R * (2 * m_lame.mu * strain + m_lame.lambda * strain.trace() * Mat3::Identity());
+  const TriangleTree surface(m_surface.mesh);
+  Mat3 moment = Mat3::Zero();
+  double inside = 0;
+  for (int i = 0; i < nodes(); ++i) {
+    const Vec3 X = m_rest.q.segment<3>(3 * i), force = forces.segment<3>(3 * i);
+    moment += force * X.transpose();
+    if (isDeep(surface, i)) inside = std::max(inside, force.lpNorm<Eigen::Infinity>());
+  }
+  return std::max(inside / forces.lpNorm<Eigen::Infinity>(), (moment - wanted).norm() / wanted.norm());
+}
+
+Vec3 EmbeddedBody::displacementAt(const VecX& u, const Vec3& x) const { return displacementsAt(u, std::span(&x, 1))[0]; }
+
+std::vector<Vec3> EmbeddedBody::displacementsAt(const VecX& u, std::span<const Vec3> places) const {
+  const std::vector<VertexBinding> bound = bindToTets(*m_mesh, std::vector<Vec3>(places.begin(), places.end()));
+  std::vector<Vec3> found;
+  for (const VertexBinding& at : bound) {
+    Vec3& sum = found.emplace_back(Vec3::Zero());
+    for (int k = 0; k < 4; ++k) sum += at.weight[k] * u.segment<3>(3 * at.node[k]);
+  }
+  return found;
 }
 
 Mat3 EmbeddedBody::stressAt(const VecX& u, const Vec3& x) const {

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/truth/Calculix.h"
+#include "simcore/study/truth/BrickProblem.h"
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
 
-#include "tests/simcore/file/TemporaryFolder.h"
+extern char** environ;
 
 namespace glenoid::truth {
 
@@ -80,25 +88,51 @@ std::optional<Mat3> stressAt(const std::string& path, int node) {
 }  // namespace
 
 bool runCalculix(const std::string& folder, const std::string& name) {
-  return std::system(("cd '" + folder + "' && OMP_NUM_THREADS=1 ccx -i " + name + " > ccx.log 2>&1").c_str()) == 0;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, 1, (name + ".log").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  // One thread: what several add up in differs from run to run.
+  std::vector<std::string> texts;
+  for (char** entry = environ; *entry; ++entry)
+    if (std::strncmp(*entry, "OMP_NUM_THREADS=", 16) != 0) texts.emplace_back(*entry);
+  texts.emplace_back("OMP_NUM_THREADS=1");
+  std::vector<char*> environment;
+  for (std::string& text : texts) environment.push_back(text.data());
+  environment.push_back(nullptr);
+  std::string program = "ccx", option = "-i", job = name;
+  char* const arguments[] = {program.data(), option.data(), job.data(), nullptr};
+  pid_t child = 0;
+  const bool started = posix_spawnp(&child, "ccx", &actions, nullptr, arguments, environment.data()) == 0;
+  posix_spawn_file_actions_destroy(&actions);
+  int status = 0;
+  return started && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-bool hasCalculix() { return std::system("command -v ccx > /dev/null 2>&1") == 0; }
+bool hasCalculix() {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path ? path : "");
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (access((folder + "/ccx").c_str(), X_OK) == 0) return true;
+  return false;
+}
 
-std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z) {
-  const TemporaryFolder folder;
-  const Nodes nodes = writeInput(problem, folder.path("body.inp"));
-  if (!runCalculix(folder.path(), "body")) return std::nullopt;
+std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z, const std::string& folder, const std::string& name) {
+  const std::string stem = folder + "/" + name;
+  const Nodes nodes = writeInput(problem, stem + ".inp");
+  if (!runCalculix(folder, name)) return std::nullopt;
   const auto half = [](double share, int count) { return static_cast<int>(std::lround(2 * share * count)); };
-  return stressAt(folder.path("body.frd"), nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
+  return stressAt(stem + ".frd", nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
 }
 
-std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count) {
-  const TemporaryFolder folder;
-  writeInput(problem, folder.path("body.inp"), density, count);
-  if (!runCalculix(folder.path(), "body")) return std::nullopt;
+std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count, const std::string& folder,
+                                                         const std::string& name) {
+  const std::string stem = folder + "/" + name;
+  writeInput(problem, stem + ".inp", density, count);
+  if (!runCalculix(folder, name)) return std::nullopt;
   // A table of number, eigenvalue and frequency in radians and in cycles for each time, under a title in spaced capitals.
-  std::ifstream in(folder.path("body.dat"));
+  std::ifstream in(stem + ".dat");
   std::vector<double> found;
   for (std::string line; std::getline(in, line) && static_cast<int>(found.size()) < count;) {
     std::istringstream words(line);

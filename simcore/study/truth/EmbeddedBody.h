@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <functional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Cells.h"
 #include "simcore/linear/BlockCholesky.h"
+#include "simcore/spatial/TriangleTree.h"
 #include "simcore/scene/Scenario.h"
 
 namespace glenoid::truth {
@@ -34,30 +37,46 @@ class EmbeddedBody {
   /// face cuts through cells they must not be much stiffer than those: a field that is piecewise linear and zero on a face
   /// inside its elements has one slope there for all of them.
   void hold(std::string_view marks, int axis, double stiff = 1e5);
-  /// Traction (force for each area) on all triangles of a mark, of their outward unit normal.
+  /// As that, but towards a displacement of each place instead of none.
+  void draw(std::string_view marks, int axis, double stiff, const std::function<double(const Vec3& x)>& towards);
+  /// Traction (force for each area) on all triangles of a mark, of the place and its outward unit normal.
+  void pull(char mark, const std::function<Vec3(const Vec3& x, const Vec3& normal)>& traction);
   void pull(char mark, const std::function<Vec3(const Vec3& normal)>& traction);
 
   /// Displacements under what was pulled.
   VecX solve() const;
+  /// Displacements where every node that does not lie deeper than two cells in the body moves as `field` says of it: inside, a field that needs no
+  /// body force is to come out again.
+  VecX solveInside(const std::function<Vec3(const Vec3& x)>& field) const;
   /// The lowest natural frequencies, 1/s, ascending.
-  std::vector<double> frequencies(int count) const;
+  std::vector<double> frequencies(int count, std::vector<VecX>* shapes = nullptr) const;
+  /// Share of a shape's squares that points from the origin, over nodes more than a tenth of the body's reach away from it.
+  double radialShare(const VecX& shape) const;
+
+  /// The patch test: every node moves by x = F X. What is left of the forces on nodes that lie deeper than two cells in the body, over the largest
+  /// force there is; and how far Σ f Xᵀ is from −V P, P the one stress that F asks for, over that. The larger of the two; zero but for round-off.
+  double affineImbalance(const Mat3& F) const;
 
   Vec3 displacementAt(const VecX& u, const Vec3& x) const;
+  std::vector<Vec3> displacementsAt(const VecX& u, std::span<const Vec3> places) const;
   /// Recovered as reading/StressRecovery.h says.
   Mat3 stressAt(const VecX& u, const Vec3& x) const;
   int nodes() const { return m_layout.nodeCount; }
 
  private:
   struct Spread {  ///< a place on the surface and its share of area
+    Vec3 x;
     VertexBinding at;
     double area;
     Vec3 normal;
   };
   std::vector<Spread> spreadOver(std::string_view marks) const;
   BlockMatrix held() const;
+  bool isDeep(const TriangleTree& surface, int node) const;
 
   MarkedSurface m_surface;
   double m_young, m_cell;
+  Lame m_lame;
   std::shared_ptr<const TetMesh> m_mesh;
   ObjectLayout m_layout;
   std::unique_ptr<SoftObject> m_soft;
@@ -68,7 +87,7 @@ class EmbeddedBody {
   struct Held {
     Spread place;
     int axis;
-    double stiff;
+    double stiff, towards;
   };
   std::vector<Held> m_held;
   VecX m_pull;
