@@ -2,6 +2,7 @@
 #include "simcore/haptic/EnergyTank.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simcore/haptic/PortEnergy.h"
 
@@ -15,12 +16,12 @@ void EnergyTank::add(const Vec3& force, const Vec3& moved, double seconds, bool 
 
 Vec3 EnergyTank::limit(const Vec3& force, const Vec3& velocity, double seconds) {
   m_cut = false;
-  const double way = velocity.norm() * seconds;
-  if (!(way > 0)) return force;
-  const double work = force.dot(velocity) * seconds, allowed = std::max(0.0, m_left);
-  if (!(work > allowed)) return force;
+  // With the share s of the force: s² square + s drive ≤ what is there.
+  const double square = force.squaredNorm() * seconds * seconds / (2 * m_mass), drive = force.dot(velocity) * seconds, there = std::max(0.0, m_left);
+  if (!(square + drive > there)) return force;
   m_cut = true;
-  return force - (work - allowed) / (way * way) * seconds * velocity;
+  const double share = (std::sqrt(drive * drive + 4 * square * there) - drive) / (2 * square);
+  return std::clamp(share, 0.0, 1.0) * force;
 }
 
 }  // namespace glenoid

@@ -24,7 +24,7 @@ HapticLoop::HapticLoop(const HapticSettings& settings)
       m_guard(limitsOf(settings.device)),
       m_handle(settings.device.damping, 1 / settings.rate),
       m_alone(0, 1 / settings.rate),
-      m_tank(settings.device.damping) {}
+      m_tank(settings.device.damping, settings.device.mass) {}
 
 HapticLoop::Answer HapticLoop::tick(std::int64_t now, double T, bool present, const ToolInput& input, const LocalProblem& problem) {
   const double gone = std::numeric_limits<double>::infinity();

@@ -150,6 +150,28 @@ TEST(RunCommand, aDeviceThatNobodyKnowsOrIsNotForThisRunIsBadInput) {
   EXPECT_NE(unpaced.err.find("--realtime"), std::string::npos) << unpaced.err;
 }
 
+// Nobody speaks at the bridge: the tool stays at home, and the summary says why.
+TEST(RunCommand, aToolIsHeldByADeviceOrASentenceSaysWhyNot) {
+  const Outcome held = glenoidProgram("run builtin:arthroscopy --seconds 0.1 --realtime --haptic-compare 0 --device probe=bridge:29310");
+  EXPECT_EQ(held.status, 0) << held.out;
+  EXPECT_NE(held.out.find("never said where its hand is"), std::string::npos) << held.out;
+  for (const char* bad : {"--device haply:127.0.0.1:1", "--device bridge:lab", "--device tibia=bridge", "--device probe=bridge --device probe=bridge:9311",
+                          "--device unknown --device reference"}) {
+    const Outcome refused = glenoidProgram(std::string("run builtin:arthroscopy --seconds 0.1 --realtime ") + bad);
+    EXPECT_EQ(refused.status, 2) << bad << refused.out;
+  }
+}
+
+TEST(DevicesCommand, listsWhatMayHoldATool) {
+  const Outcome outcome = glenoidProgram("devices --json --seconds 0.01 bridge:29311 haply:127.0.0.1:1");
+  ASSERT_EQ(outcome.status, 0) << outcome.out;
+  const Json list = Json::parse(outcome.out);
+  ASSERT_EQ(list["devices"].size(), 2u);
+  EXPECT_EQ(list["devices"][0]["state"], "waits for a program");
+  EXPECT_EQ(list["devices"][1]["state"], "not there");
+  EXPECT_GE(list["profiles"].size(), 3u);
+}
+
 TEST(ReplayCommand, aRecordingRepeatsBitByBitAndATamperedOneIsCaught) {
   const auto folder = freshFolder();
   const auto recording = folder / "r.recording";

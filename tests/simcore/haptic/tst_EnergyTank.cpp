@@ -13,7 +13,7 @@ namespace {
 using test::T;
 
 TEST(EnergyTank, givesBackWhatWasPutInAndNoMore) {
-  EnergyTank tank(0);
+  EnergyTank tank(0, 1);
   double given = 0;
   for (int i = 0; i < 100; ++i) tank.add(Vec3(2, 0, 0), Vec3(-1e-4, 0, 0), T, false);  // 20 mJ put in
   for (int i = 0; i < 400; ++i) {  // on the way out 5 N: 50 mJ if they were let
@@ -25,18 +25,21 @@ TEST(EnergyTank, givesBackWhatWasPutInAndNoMore) {
   EXPECT_LE(given, 0.02 + 1.05 * EnergyTank::kCredit);
 }
 
-TEST(EnergyTank, leavesAloneWhatResistsTheHandAndWhatIsAcross) {
-  EnergyTank tank(0);
+TEST(EnergyTank, inDebtItStopsAHandAndThrowsItNotBack) {
+  EnergyTank tank(0, 0.1);
   for (int i = 0; i < 1000; ++i) tank.add(Vec3(1, 0, 0), Vec3(1e-5, 0, 0), T, false);
   EXPECT_LT(tank.left(), 0);
-  EXPECT_EQ(tank.limit(Vec3(-3, 1, 0), Vec3(0.1, 0, 0), T), Vec3(-3, 1, 0));
+  // Comes in at 10 mm/s: 1 N stops 0.1 kg of it in a tick, 2 N send it back as fast as it came, which costs nothing.
+  EXPECT_EQ(tank.limit(Vec3(1.5, 0, 0), Vec3(-0.01, 0, 0), T), Vec3(1.5, 0, 0));
   EXPECT_FALSE(tank.cut());
-  EXPECT_LT((tank.limit(Vec3(3, 1, 0), Vec3(0.1, 0, 0), T) - Vec3(0, 1, 0)).norm(), 1e-12);
+  EXPECT_NEAR(tank.limit(Vec3(5, 0, 0), Vec3(-0.01, 0, 0), T).x(), 2, 1e-9);
   EXPECT_TRUE(tank.cut());
+  EXPECT_LT(tank.limit(Vec3(5, 0, 0), Vec3(0.01, 0, 0), T).norm(), 1e-9);
+  EXPECT_LT(tank.limit(Vec3(5, 0, 0), Vec3::Zero(), T).norm(), 1e-9);
 }
 
 TEST(EnergyTank, keepsDebtsOverOpenMomentsAndNoCredits) {
-  EnergyTank tank(0);
+  EnergyTank tank(0, 0.1);
   tank.add(Vec3(2, 0, 0), Vec3(-0.01, 0, 0), T, false);
   tank.add(Vec3::Zero(), Vec3(0.01, 0, 0), T, true);
   EXPECT_DOUBLE_EQ(tank.left(), EnergyTank::kCredit);

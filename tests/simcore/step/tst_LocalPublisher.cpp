@@ -192,9 +192,12 @@ TEST(LocalPublisher, lookingAheadChangesNoBitAndFindsTheSameForceAtRest) {
   };
   EXPECT_GT(felt(a).norm(), 0.05);
   EXPECT_LT((felt(a) - felt(b)).norm(), 1e-3 * felt(a).norm());
-  // With the step's forces every row that presses is closed, to what a step's own error is.
-  for (int i = 0; i < b.rowCount; ++i)
-    if (b.force[static_cast<std::size_t>(i)] > 0) EXPECT_NEAR(b.slack[static_cast<std::size_t>(i)], 0, 2e-6) << i;
+  // With the step's forces every row that presses is closed, to a hundredth of what the far side gave under them.
+  for (int i = 0; i < b.rowCount; ++i) {
+    double gave = 0;
+    for (int j = 0; j < b.rowCount; ++j) gave += b.C(i, j) * b.force[static_cast<std::size_t>(j)];
+    if (b.force[static_cast<std::size_t>(i)] > 0) EXPECT_LT(std::abs(b.slack[static_cast<std::size_t>(i)]), 0.01 * gave) << i;
+  }
 }
 
 // A finger that carries another: two bodies and the four springs between them.

@@ -38,6 +38,7 @@ TEST(HapticTrial, makesNoEnergyAndRendersTheBoundOnEverySurfaceAtEveryDelay) {
       EXPECT_LE(result.energyMade, bars.energy) << where;
       EXPECT_GT(result.forceMax, 0.5) << where << ": it was pressed at all";
       EXPECT_EQ(result.counts.inexact, 0) << where;
+      EXPECT_EQ(result.counts.heldBack, 0) << where << ": nothing is kept from a hand whose problems come in time";
       EXPECT_NE(result.gains.limit, GainLimit::Wish) << where;
       if (surface == HapticSurface::Bone) {
         EXPECT_GE(result.renderedStiffness, bars.stiffnessShare * result.gains.bound) << where;
