@@ -225,7 +225,7 @@ Result<std::optional<AccuracyResult>> measure(const Wishes& wishes, const StudyS
 
 /// All shards of a folder as one study.
 Result<AccuracyResult> mergedIn(const std::string& folder, const StudyScene& study, const Wishes& wishes) {
-  const bool quick = wishes.quick;
+  const bool quick = wishes.quick || wishes.smallest;
   const JsonValue of = sweepOf(study, wishes);
   const auto base = compileModel(study.joint, study.scenario);
   if (!base) return base.error();

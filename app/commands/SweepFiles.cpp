@@ -42,11 +42,12 @@ bool isThere(const std::string& path) {
   return fs::exists(path, ignored);
 }
 
-/// The first thing in which they differ, for the sentence.
-std::string difference(const JsonValue& a, const JsonValue& b) {
+/// The first member in which two objects differ, whatever the order of their members; nothing where they are the same.
+std::optional<std::string> difference(const JsonValue& a, const JsonValue& b) {
   for (const auto& [key, value] : a.members())
     if (b[key] != value) return key;
-  return "options";
+  if (a.members().size() != b.members().size()) return "options";
+  return std::nullopt;
 }
 
 /// One part as its status file has it.
@@ -75,10 +76,11 @@ SweepFiles::SweepFiles(std::string folder, int shard, int shards, JsonValue of)
 Result<JsonValue> SweepFiles::readOwn(const std::string& path) const {
   Result<JsonValue> json = readJson(path);
   if (!json) return json;
-  if ((*json)["of"] == m_of) return json;
+  const std::optional<std::string> other = difference(m_of, (*json)["of"]);
+  if (!other) return json;
   return Error{Fault::BadUsage,
                {path, "", "", {}},
-               {"what stands there was measured of something else (its “" + difference(m_of, (*json)["of"]) +
+               {"what stands there was measured of something else (its “" + *other +
                 "” is another); give another --out, or take it away"},
                "sweep"};
 }

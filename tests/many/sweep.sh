@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What both schedulers' scripts need. Source it with GLENOID set to the program.
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 QT_QPA_PLATFORM=offscreen LIBGL_ALWAYS_SOFTWARE=1
-scene=${SCENE:-builtin:arthroscopy}
+scene=${SCENE:-$(cd "$(dirname "${BASH_SOURCE[0]}")/../scenes/peers" && pwd)/soft.scenario.json}
 extent=${EXTENT:---smallest}
 shards=${SHARDS:-4}
 

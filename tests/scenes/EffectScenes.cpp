@@ -33,6 +33,11 @@ void excludeCoupledPairs(Joint& joint) {
     joint.exclusions.push_back({coupling.partA, coupling.partB, {}});
 }
 
+void smooth(EffectScene& scene) {
+  for (Material& material : scene.joint.materials) material.friction = 0;
+  for (Tool& tool : scene.scenario.tools) tool.friction = 0;
+}
+
 void undamp(Joint& joint) {
   for (Material& material : joint.materials) material.massDamping = material.stiffnessDamping = 0;
   for (Coupling& coupling : joint.couplings) coupling.damping = 0;
@@ -53,10 +58,7 @@ void takeAway(EffectScene& scene, const std::string& effect) {
     }
   }
   if (effect == "selfContact") scenario.selfContactParts.clear();
-  if (effect == "friction") {
-    for (Material& material : joint.materials) material.friction = 0;
-    for (Tool& tool : scenario.tools) tool.friction = 0;
-  }
+  if (effect == "friction") smooth(scene);
   if (effect == "damping") undamp(joint);
   if (effect == "bursa") joint.bursae.clear();
   if (effect == "dent")
@@ -114,6 +116,7 @@ EffectScene effectScene(Joint joint, Scenario scenario, const std::string& effec
   EffectScene scene{std::move(joint), std::move(scenario)};
   if (effect != "dent")
     for (Part& part : scene.joint.parts) part.dents = nullptr;
+  if (effect == "gravity") smooth(scene);  // where a friction solve ends is scaled by the scenario's gravity, whether that acts or not
   if (effect == "couplings") excludeCoupledPairs(scene.joint);
   if (effect == "contact" && scene.scenario.tools.size() > 1) scene.scenario.tools.resize(1);
   if (effect == "selfContact")

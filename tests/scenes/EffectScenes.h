@@ -25,10 +25,10 @@ Pose pressedHand();
 inline constexpr std::array<const char*, 8> kStepEffects{"gravity",  "couplings", "contact", "selfContact",
                                                          "friction", "damping",   "bursa",   "dent"};
 
-/// From a scene with parts, couplings, bursae, dents and tools. All three forms of one effect are alike but
-/// for that effect: what would differ by the way is taken from all of them (dents, whose tables hold for the
-/// joint as it is; the second of two tools, which no exclusion keeps from the first; contact of coupled
-/// parts, which leaves out triangles near their coupling).
+/// From a scene with parts, couplings, bursae, dents and tools. All three forms of one effect are alike but for that
+/// effect: what would differ by the way is taken from all of them (dents, whose tables hold for the joint as it is; the
+/// second of two tools, which no exclusion keeps from the first; contact of coupled parts, which leaves out triangles near
+/// their coupling; friction where gravity is compared, since that scales where its solve ends).
 EffectScene effectScene(Joint joint, Scenario scenario, const std::string& effect, EffectForm form);
 
 }  // namespace glenoid::scenes

@@ -75,7 +75,7 @@ foreach(effect IN LISTS effects)
   math(EXPR apart "(${off} - ${never}) * 100000 / ${never}")  # in 1e-5
   math(EXPR more "(${on} - ${off}) * 1000 / ${off}")
   set(entered ${${effect}_off_names})
-  list(REMOVE_ITEM entered ${${effect}_never_names})
+  list(REMOVE_ITEM entered ${${effect}_never_names} main)
   message("${effect}: off ${off}, never ${never} (${apart}e-5 apart), on ${on} (${more} per mille more); entered only where it is off: ${entered}")
   math(EXPR limit "${budget} * 100")
   if(apart GREATER limit OR apart LESS -${limit} OR NOT "${entered}" STREQUAL "")

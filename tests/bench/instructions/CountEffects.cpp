@@ -13,7 +13,7 @@
 using namespace glenoid;
 
 int main() {
-  constexpr int kWarmUp = 40, kCounted = 20;
+  constexpr int kWarmUp = 25, kCounted = 8;
   const scenes::EffectScene whole = scenes::wholeScene();
   const Inputs inputs{{scenes::pressedHand()}};
   for (const char* effect : scenes::kStepEffects)
