@@ -23,7 +23,8 @@ struct TruthWishes {
 
 Result<Done> studyTruth(const TruthWishes& wishes) {
   if (wishes.list) {
-    for (const truth::TruthProblem& problem : truth::truthProblems()) std::printf("%-22s %s (%s)\n", problem.id, problem.title, problem.source);
+    for (const truth::TruthProblem& problem : truth::truthProblems())
+      std::printf("%-22s %s (%s)\n", problem.id, problem.title, problem.source);
     return Done{};
   }
   if (wishes.out.empty()) return usageError("--out wants a folder for tables, plots and scenes");
@@ -31,8 +32,11 @@ Result<Done> studyTruth(const TruthWishes& wishes) {
   options.quick = wishes.quick;
   options.profile = *profileNamed(wishes.profile);
   options.only = wishes.only;
-  if (!wishes.elements.empty()) options.elements = wishes.elements == "cells" ? Elements::Cells : Elements::Tetrahedra;
-  options.threads = wishes.threads > 0 ? wishes.threads : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+  if (!wishes.elements.empty())
+    options.elements = wishes.elements == "cells" ? Elements::Cells : Elements::Tetrahedra;
+  options.threads = wishes.threads > 0
+                        ? wishes.threads
+                        : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
   if (const auto good = prepareFolder(wishes.out); !good) return good;
   Result<std::vector<truth::TruthVerdict>> verdicts = std::vector<truth::TruthVerdict>{};
   {
@@ -52,7 +56,9 @@ Result<Done> studyTruth(const TruthWishes& wishes) {
   std::string missed;
   for (const truth::TruthVerdict& verdict : *verdicts) {
     if (verdict.met()) continue;
-    missed += (missed.empty() ? "" : ", ") + std::string(verdict.problem->id) + (verdict.problem->byElements ? std::string(" (") + truth::elementsWord(verdict.elements) + ")" : "");
+    missed +=
+        (missed.empty() ? "" : ", ") + std::string(verdict.problem->id) +
+        (verdict.problem->byElements ? std::string(" (") + truth::elementsWord(verdict.elements) + ")" : "");
   }
   if (missed.empty()) return Done{};
   return Error{Fault::CheckFailed, {}, {"these answers are not within their bars: " + missed}, "study truth"};
@@ -62,12 +68,18 @@ Result<Done> studyTruth(const TruthWishes& wishes) {
 
 void addTruthStudy(CLI::App& study, int& status) {
   auto wishes = std::make_shared<TruthWishes>();
-  CLI::App* command = study.add_subcommand("truth", "Problems with known answers, solved by the same elements, contact and steps as every scene");
-  command->add_option("--out", wishes->out, "Folder for tables (CSV, JSON), a plot for each problem (PNG, SVG, PDF), summary.txt and scenes; made where it is not there");
+  CLI::App* command = study.add_subcommand(
+      "truth", "Problems with known answers, solved by the same elements, contact and steps as every scene");
+  command->add_option("--out", wishes->out,
+                      "Folder for tables (CSV, JSON), a plot for each problem (PNG, SVG, PDF), summary.txt "
+                      "and scenes; made where it is not there");
   command->add_option("--only", wishes->only, "Only these, such as cook,hertz")->delimiter(',');
-  command->add_option("--profile", wishes->profile, "Profile of whole steps; without it direct")->check(CLI::IsMember({"paper", "direct", "reference"}));
-  command->add_option("--elements", wishes->elements, "Only tetrahedra or cells; without it both")->check(CLI::IsMember({"tetrahedra", "cells"}));
-  command->add_option("--threads", wishes->threads, "Solves at a time; the figures are the same")->check(CLI::Range(1, 64));
+  command->add_option("--profile", wishes->profile, "Profile of whole steps; without it direct")
+      ->check(CLI::IsMember({"paper", "direct", "reference"}));
+  command->add_option("--elements", wishes->elements, "Only tetrahedra or cells; without it both")
+      ->check(CLI::IsMember({"tetrahedra", "cells"}));
+  command->add_option("--threads", wishes->threads, "Solves at a time; the figures are the same")
+      ->check(CLI::Range(1, 64));
   command->add_flag("--quick", wishes->quick, "Coarser finest sizes, with bars of their own");
   command->add_flag("--list", wishes->list, "Say which problems there are, and solve none");
   command->callback([wishes, &status] {

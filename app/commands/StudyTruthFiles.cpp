@@ -24,21 +24,30 @@ using truth::TruthVerdict;
 
 namespace {
 
-std::string leafOf(const std::string& folder, const std::string& leaf) { return (std::filesystem::path(folder) / leaf).string(); }
+std::string leafOf(const std::string& folder, const std::string& leaf) {
+  return (std::filesystem::path(folder) / leaf).string();
+}
 
 std::string nameOf(const TruthVerdict& verdict) {
-  return verdict.problem->byElements ? std::string(verdict.problem->id) + ", " + truth::elementsWord(verdict.elements) : std::string(verdict.problem->id);
+  return verdict.problem->byElements
+             ? std::string(verdict.problem->id) + ", " + truth::elementsWord(verdict.elements)
+             : std::string(verdict.problem->id);
 }
 
 /// "0.31 %", and what is only round-off as it is.
-std::string share(double error) { return error < 1e-6 ? text("%.1e", error) : text("%.3g %%", 100 * error); }
+std::string share(double error) {
+  return error < 1e-6 ? text("%.1e", error) : text("%.3g %%", 100 * error);
+}
 
 std::string orderWords(const TruthVerdict& verdict) {
   if (std::isnan(verdict.order)) return "";
-  return verdict.orderBar > 0 ? text(", order %.2f (at least %.1f)", verdict.order, verdict.orderBar) : text(", order %.2f", verdict.order);
+  return verdict.orderBar > 0 ? text(", order %.2f (at least %.1f)", verdict.order, verdict.orderBar)
+                              : text(", order %.2f", verdict.order);
 }
 
-std::string unitOf(const TruthProblem& problem) { return *problem.unit ? " " + std::string(problem.unit) : ""; }
+std::string unitOf(const TruthProblem& problem) {
+  return *problem.unit ? " " + std::string(problem.unit) : "";
+}
 
 /// Runs of verdicts of one problem.
 std::vector<std::span<const TruthVerdict>> byProblem(std::span<const TruthVerdict> verdicts) {
@@ -63,18 +72,23 @@ std::vector<TruthOther> truthByCalculix(std::span<const TruthVerdict> verdicts, 
     std::optional<Mat3> stress;
     if (id == "le1") stress = truth::stressByCalculix(truth::ellipticMembraneBricks(), 1, 0, 0, own, id);
     if (id == "le10") stress = truth::stressByCalculix(truth::thickPlateBricks(), 1, 0, 1, own, id);
-    if (stress) others.push_back({id, (*stress)(1, 1), std::abs((*stress)(1, 1) / run.front().problem->known - 1)});
+    if (stress)
+      others.push_back({id, (*stress)(1, 1), std::abs((*stress)(1, 1) / run.front().problem->known - 1)});
   }
   return others;
 }
 
-LogLogPlot truthPlot(std::span<const TruthVerdict> verdicts, std::span<const TruthOther> others, const std::string& machine) {
+LogLogPlot truthPlot(std::span<const TruthVerdict> verdicts, std::span<const TruthOther> others,
+                     const std::string& machine) {
   const TruthProblem& problem = *verdicts.front().problem;
   LogLogPlot plot;
   plot.title = problem.title;
-  plot.subtitle = {std::string(problem.quantity) + (problem.known != 0 ? text(", known: %.6g", problem.known) + unitOf(problem) : std::string()) + ".", std::string(problem.source) + ".",
-                   machine + "."};
-  plot.xTitle = std::string("Size of the ") + problem.refined + (*problem.refinedUnit ? std::string(", ") + problem.refinedUnit : std::string());
+  plot.subtitle = {
+      std::string(problem.quantity) +
+          (problem.known != 0 ? text(", known: %.6g", problem.known) + unitOf(problem) : std::string()) + ".",
+      std::string(problem.source) + ".", machine + "."};
+  plot.xTitle = std::string("Size of the ") + problem.refined +
+                (*problem.refinedUnit ? std::string(", ") + problem.refinedUnit : std::string());
   plot.yTitle = "Error, as a share of what is known";
   plot.marginTitle = "No figure";
   for (const TruthVerdict& verdict : verdicts) {
@@ -86,7 +100,8 @@ LogLogPlot truthPlot(std::span<const TruthVerdict> verdicts, std::span<const Tru
         continue;
       }
       // What has no error at all has no place on a logarithmic axis; it stands at round-off.
-      series.points.push_back({point.size, std::max(point.found.error, 1e-16), text("%.3g", point.found.value)});
+      series.points.push_back(
+          {point.size, std::max(point.found.error, 1e-16), text("%.3g", point.found.value)});
     }
     plot.series.push_back(std::move(series));
     plot.levels.push_back({verdict.bar, verdicts.size() > 1 ? "bar, " + kind : "bar"});
@@ -108,15 +123,22 @@ std::string truthSummaryText(std::span<const TruthVerdict> verdicts, std::span<c
       out += finest.failure + "\n";
       continue;
     }
-    if (problem.known != 0) out += text("%.6g%s beside %.6g: ", finest.found.value, unitOf(problem).c_str(), problem.known);
-    out += text("error %s (bar %s)", share(finest.found.error).c_str(), share(verdict.bar).c_str()) + orderWords(verdict) + "\n";
+    if (problem.known != 0)
+      out += text("%.6g%s beside %.6g: ", finest.found.value, unitOf(problem).c_str(), problem.known);
+    out += text("error %s (bar %s)", share(finest.found.error).c_str(), share(verdict.bar).c_str()) +
+           orderWords(verdict) + "\n";
   }
-  for (const TruthOther& other : others) out += text("CalculiX, %s: %.6g, error %s\n", other.problem.c_str(), other.value, share(other.error).c_str());
+  for (const TruthOther& other : others)
+    out += text("CalculiX, %s: %.6g, error %s\n", other.problem.c_str(), other.value,
+                share(other.error).c_str());
   return out + text("%zu of %zu answers are within their bars.\n", met, verdicts.size());
 }
 
-Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict> verdicts, std::span<const TruthOther> others, const TruthOptions& options) {
-  if (const auto saved = writeWholeFile(leafOf(folder, "truth.csv"), tableCsv(truth::truthTable(verdicts))); !saved) return saved;
+Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict> verdicts,
+                        std::span<const TruthOther> others, const TruthOptions& options) {
+  if (const auto saved = writeWholeFile(leafOf(folder, "truth.csv"), tableCsv(truth::truthTable(verdicts)));
+      !saved)
+    return saved;
   JsonValue json = machineJson();
   json.set("study", "truth");
   json.set("profile", scene_words::wordOf(scene_words::kProfiles, options.profile));
@@ -136,13 +158,20 @@ Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict>
   }
   json.set("others", std::move(beside));
   if (const auto saved = writeWholeFile(leafOf(folder, "truth.json"), toText(json)); !saved) return saved;
-  if (const auto saved = writeWholeFile(leafOf(folder, "summary.txt"), truthSummaryText(verdicts, others) + machineWords() + ".\n"); !saved) return saved;
+  if (const auto saved = writeWholeFile(leafOf(folder, "summary.txt"),
+                                        truthSummaryText(verdicts, others) + machineWords() + ".\n");
+      !saved)
+    return saved;
   for (const auto run : byProblem(verdicts))
-    if (const auto saved = writePlot(truthPlot(run, others, machineWords()), leafOf(folder, run.front().problem->id)); !saved) return saved;
+    if (const auto saved =
+            writePlot(truthPlot(run, others, machineWords()), leafOf(folder, run.front().problem->id));
+        !saved)
+      return saved;
   return Done{};
 }
 
-Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVerdict> verdicts, const TruthOptions& options) {
+Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVerdict> verdicts,
+                              const TruthOptions& options) {
   const std::string own = leafOf(folder, "scenes");
   if (const auto good = prepareFolder(own); !good) return good;
   std::string why = "Scenes of problems with known answers, for “glenoid run” and the window.\n";
@@ -153,15 +182,22 @@ Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVe
       continue;
     }
     const TruthVerdict& verdict = run.back();
-    truth::TruthScene scene = problem.scene({verdict.elements, options.profile, 1}, verdict.points.back().size);
+    truth::TruthScene scene =
+        problem.scene({verdict.elements, options.profile, 1}, verdict.points.back().size);
     scene.scenario.id = scene.joint.id = problem.id;
     scene.scenario.name = scene.joint.name = problem.title;
-    scene.scenario.description = std::string(problem.quantity) + (problem.known != 0 ? text(": %.6g", problem.known) + unitOf(problem) : std::string(": none")) + ". " + problem.source + ".";
+    scene.scenario.description =
+        std::string(problem.quantity) +
+        (problem.known != 0 ? text(": %.6g", problem.known) + unitOf(problem) : std::string(": none")) +
+        ". " + problem.source + ".";
     scene.scenario.profile = options.profile;
     if (problem.byElements) scene.scenario.elements = verdict.elements;
     scene.scenario.joint = std::string(problem.id) + ".joint";
     if (const auto saved = saveJoint(scene.joint, leafOf(own, scene.scenario.joint)); !saved) return saved;
-    if (const auto saved = saveScenario(scene.scenario, leafOf(own, std::string(problem.id) + ".scenario.json")); !saved) return saved;
+    if (const auto saved =
+            saveScenario(scene.scenario, leafOf(own, std::string(problem.id) + ".scenario.json"));
+        !saved)
+      return saved;
     why += text("%s.scenario.json: %s\n", problem.id, scene.scenario.description.c_str());
   }
   return writeWholeFile(leafOf(own, "README.txt"), why);

@@ -21,14 +21,23 @@ LadderScene wished(LadderScene scene) {
   return scene;
 }
 
-LadderScene named(const char* id) { return wished(truth::namedScene(id)); }
+LadderScene named(const char* id) {
+  return wished(truth::namedScene(id));
+}
 
 }  // namespace
 
-LadderScene twoFallingBoxes() { return wished(truth::twoFallingBoxes()); }
-LadderScene twoBoxesOnASpring(double stiffness) { return wished(truth::twoBoxesOnASpring(stiffness)); }
-LadderScene hangingBar(int cells, double youngsModulus, double density) { return wished(truth::hangingBar(cells, youngsModulus, density)); }
-LadderScene ballOnBlock(double radius, double mass, double youngsModulus, double cell, double growth, double reach) {
+LadderScene twoFallingBoxes() {
+  return wished(truth::twoFallingBoxes());
+}
+LadderScene twoBoxesOnASpring(double stiffness) {
+  return wished(truth::twoBoxesOnASpring(stiffness));
+}
+LadderScene hangingBar(int cells, double youngsModulus, double density) {
+  return wished(truth::hangingBar(cells, youngsModulus, density));
+}
+LadderScene ballOnBlock(double radius, double mass, double youngsModulus, double cell, double growth,
+                        double reach) {
   return wished(truth::ballOnBlock(radius, mass, youngsModulus, cell, growth, reach));
 }
 

@@ -21,16 +21,19 @@ namespace glenoid::truth {
 
 namespace {
 
-/// Corners and middles of a brick of 20 nodes by half steps from its first corner, in the order of the program's manual.
-constexpr int kOrder[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}, {2, 1, 0},
-                               {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+/// Corners and middles of a brick of 20 nodes by half steps from its first corner, in the order of the
+/// program's manual.
+constexpr int kOrder[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+                               {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+                               {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
 
 using Nodes = std::map<std::array<int, 3>, int>;
 
 /// A static problem; of its `modes` lowest frequencies where there are any.
 Nodes writeInput(const BrickProblem& p, const std::string& path, double density = 0, int modes = 0) {
   std::ofstream out(path);
-  out.precision(12);  // the program reads twenty characters of a number and leaves out the rest, an exponent too
+  out.precision(
+      12);  // the program reads twenty characters of a number and leaves out the rest, an exponent too
   Nodes nodes;
   out << "*NODE, NSET=ALL\n";
   for (int k = 0; k <= 2 * p.nz; ++k)
@@ -50,10 +53,13 @@ Nodes writeInput(const BrickProblem& p, const std::string& path, double density 
       for (int i = 0; i < p.ns; ++i) {
         out << ++element;
         for (int n = 0; n < 20; ++n)
-          out << (n == 10 ? ",\n" : ", ") << nodes.at({2 * i + kOrder[n][0], 2 * j + kOrder[n][1], 2 * k + kOrder[n][2]});
+          out << (n == 10 ? ",\n" : ", ")
+              << nodes.at({2 * i + kOrder[n][0], 2 * j + kOrder[n][1], 2 * k + kOrder[n][2]});
         out << "\n";
         const bool loaded = p.pressed == '+' ? k == p.nz - 1 : j == p.nt - 1;
-        if (loaded) pressed += std::to_string(element) + (p.pressed == '+' ? ", P2, " : ", P5, ") + std::to_string(p.pressure) + "\n";
+        if (loaded)
+          pressed += std::to_string(element) + (p.pressed == '+' ? ", P2, " : ", P5, ") +
+                     std::to_string(p.pressure) + "\n";
       }
   out << "*MATERIAL, NAME=M\n*ELASTIC\n" << p.young << ", " << p.poisson << "\n";
   if (modes > 0) out << "*DENSITY\n" << density << "\n";
@@ -61,7 +67,8 @@ Nodes writeInput(const BrickProblem& p, const std::string& path, double density 
   if (p.held) out << "*BOUNDARY\n";
   for (const auto& [at, id] : nodes)
     for (int axis = 0; axis < 3; ++axis)
-      if (p.held && p.held(0.5 * at[0] / p.ns, 0.5 * at[1] / p.nt, 0.5 * at[2] / p.nz, axis)) out << id << ", " << axis + 1 << "\n";
+      if (p.held && p.held(0.5 * at[0] / p.ns, 0.5 * at[1] / p.nt, 0.5 * at[2] / p.nz, axis))
+        out << id << ", " << axis + 1 << "\n";
   if (modes > 0)
     out << "*STEP\n*FREQUENCY\n" << modes << "\n*END STEP\n";
   else
@@ -75,9 +82,12 @@ std::optional<Mat3> stressAt(const std::string& path, int node) {
   bool stress = false;
   for (std::string line; std::getline(in, line);) {
     if (line.rfind(" -4", 0) == 0) stress = line.find("STRESS") != std::string::npos;
-    if (!stress || line.rfind(" -1", 0) != 0 || line.size() < 13 + 6 * 12 || std::atoi(line.substr(3, 10).c_str()) != node) continue;
+    if (!stress || line.rfind(" -1", 0) != 0 || line.size() < 13 + 6 * 12 ||
+        std::atoi(line.substr(3, 10).c_str()) != node)
+      continue;
     double s[6];
-    for (int i = 0; i < 6; ++i) s[i] = std::atof(line.substr(13 + 12 * static_cast<std::size_t>(i), 12).c_str());
+    for (int i = 0; i < 6; ++i)
+      s[i] = std::atof(line.substr(13 + 12 * static_cast<std::size_t>(i), 12).c_str());
     Mat3 sigma;
     sigma << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
     return sigma;
@@ -118,7 +128,8 @@ bool hasCalculix() {
   return false;
 }
 
-std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z, const std::string& folder, const std::string& name) {
+std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, double t, double z,
+                                     const std::string& folder, const std::string& name) {
   const std::string stem = folder + "/" + name;
   const Nodes nodes = writeInput(problem, stem + ".inp");
   if (!runCalculix(folder, name)) return std::nullopt;
@@ -126,19 +137,22 @@ std::optional<Mat3> stressByCalculix(const BrickProblem& problem, double s, doub
   return stressAt(stem + ".frd", nodes.at({half(s, problem.ns), half(t, problem.nt), half(z, problem.nz)}));
 }
 
-std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density, int count, const std::string& folder,
+std::optional<std::vector<double>> frequenciesByCalculix(const BrickProblem& problem, double density,
+                                                         int count, const std::string& folder,
                                                          const std::string& name) {
   const std::string stem = folder + "/" + name;
   writeInput(problem, stem + ".inp", density, count);
   if (!runCalculix(folder, name)) return std::nullopt;
-  // A table of number, eigenvalue and frequency in radians and in cycles for each time, under a title in spaced capitals.
+  // A table of number, eigenvalue and frequency in radians and in cycles for each time, under a title in
+  // spaced capitals.
   std::ifstream in(stem + ".dat");
   std::vector<double> found;
   for (std::string line; std::getline(in, line) && static_cast<int>(found.size()) < count;) {
     std::istringstream words(line);
     int number = 0;
     double eigenvalue = 0, radians = 0, cycles = 0;
-    if (words >> number >> eigenvalue >> radians >> cycles && number == static_cast<int>(found.size()) + 1) found.push_back(cycles);
+    if (words >> number >> eigenvalue >> radians >> cycles && number == static_cast<int>(found.size()) + 1)
+      found.push_back(cycles);
   }
   if (static_cast<int>(found.size()) < count) return std::nullopt;
   return found;

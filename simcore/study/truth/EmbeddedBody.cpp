@@ -19,7 +19,8 @@ namespace glenoid::truth {
 namespace {
 constexpr double kSpreadInCells = 0.5;  ///< longest edge of the pieces a surface is spread by
 
-void cut(const Vec3& a, const Vec3& b, const Vec3& c, double longest, const std::function<void(const Vec3&, const Vec3&, const Vec3&)>& piece) {
+void cut(const Vec3& a, const Vec3& b, const Vec3& c, double longest,
+         const std::function<void(const Vec3&, const Vec3&, const Vec3&)>& piece) {
   if (std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()}) <= longest) return piece(a, b, c);
   const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
   cut(a, ab, ca, longest, piece);
@@ -29,7 +30,8 @@ void cut(const Vec3& a, const Vec3& b, const Vec3& c, double longest, const std:
 }
 }  // namespace
 
-MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int nt, const std::vector<double>& levels, int band) {
+MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int nt,
+                    const std::vector<double>& levels, int band) {
   MarkedSurface surface;
   const int nz = static_cast<int>(levels.size()) - 1;
   std::map<std::array<int, 3>, int> known;
@@ -64,11 +66,16 @@ MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int 
   return surface;
 }
 
-EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density,
-                           GridAxes axes)
-    : m_surface(std::move(surface)), m_young(young), m_cell(std::cbrt(cell.prod())), m_lame(lameFrom(young, poisson)) {
+EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young,
+                           double poisson, double density, GridAxes axes)
+    : m_surface(std::move(surface)),
+      m_young(young),
+      m_cell(std::cbrt(cell.prod())),
+      m_lame(lameFrom(young, poisson)) {
   const TriMesh& mesh = m_surface.mesh;
-  TetMesh cut = (axes == GridAxes::World ? embedInCells(mesh, mesh, CellGrid{{}, cell}) : embedAlong(mesh, mesh, cell.x(), axes)).value();
+  TetMesh cut = (axes == GridAxes::World ? embedInCells(mesh, mesh, CellGrid{{}, cell})
+                                         : embedAlong(mesh, mesh, cell.x(), axes))
+                    .value();
   const ElementTissue alike{lameFrom(young, poisson), density};
   const auto layoutOf = [](const TetMesh& tets) {
     const int n = static_cast<int>(tets.nodes.size());
@@ -78,7 +85,9 @@ EmbeddedBody::EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements ele
     const CellMesh cells = wholeCells(cut, mesh).value();
     m_mesh = std::make_shared<TetMesh>(cells.mesh);
     m_layout = layoutOf(*m_mesh);
-    m_soft = SoftObject::makeOfCells(m_layout, m_mesh, cells, std::vector<ElementTissue>(m_mesh->tets.size(), alike), 0).value();
+    m_soft = SoftObject::makeOfCells(m_layout, m_mesh, cells,
+                                     std::vector<ElementTissue>(m_mesh->tets.size(), alike), 0)
+                 .value();
   } else {
     const std::vector<Eigen::Matrix4d> moments = enclosedMoments(cut, mesh);
     const std::vector<double> fill = fillFractions(cut, mesh);
@@ -107,13 +116,14 @@ std::vector<EmbeddedBody::Spread> EmbeddedBody::spreadOver(std::string_view mark
     if (marks.find(m_surface.mark[t]) == std::string_view::npos) continue;
     const auto& corner = m_surface.mesh.triangles[t];
     const auto& x = m_surface.mesh.vertices;
-    cut(x[corner[0]], x[corner[1]], x[corner[2]], kSpreadInCells * m_cell, [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-      const Vec3 area = 0.5 * (b - a).cross(c - a);
-      for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {  // exact for quadratics
-        places.push_back(middle);
-        spread.push_back({middle, {}, area.norm() / 3, area.normalized()});
-      }
-    });
+    cut(x[corner[0]], x[corner[1]], x[corner[2]], kSpreadInCells * m_cell,
+        [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+          const Vec3 area = 0.5 * (b - a).cross(c - a);
+          for (const Vec3& middle : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)}) {  // exact for quadratics
+            places.push_back(middle);
+            spread.push_back({middle, {}, area.norm() / 3, area.normalized()});
+          }
+        });
   }
   const std::vector<VertexBinding> bound = bindToTets(*m_mesh, places);
   for (std::size_t i = 0; i < spread.size(); ++i) spread[i].at = bound[i];
@@ -124,13 +134,16 @@ void EmbeddedBody::hold(std::string_view marks, int axis, double stiff) {
   draw(marks, axis, stiff, [](const Vec3&) { return 0.0; });
 }
 
-void EmbeddedBody::draw(std::string_view marks, int axis, double stiff, const std::function<double(const Vec3&)>& towards) {
+void EmbeddedBody::draw(std::string_view marks, int axis, double stiff,
+                        const std::function<double(const Vec3&)>& towards) {
   for (const Spread& place : spreadOver(marks)) m_held.push_back({place, axis, stiff, towards(place.x)});
 }
 
 void EmbeddedBody::pull(char mark, const std::function<Vec3(const Vec3&, const Vec3&)>& traction) {
   for (const Spread& place : spreadOver(std::string_view(&mark, 1)))
-    for (int k = 0; k < 4; ++k) m_pull.segment<3>(3 * place.at.node[k]) += place.at.weight[k] * place.area * traction(place.x, place.normal);
+    for (int k = 0; k < 4; ++k)
+      m_pull.segment<3>(3 * place.at.node[k]) +=
+          place.at.weight[k] * place.area * traction(place.x, place.normal);
 }
 
 void EmbeddedBody::pull(char mark, const std::function<Vec3(const Vec3&)>& traction) {
@@ -167,7 +180,8 @@ VecX EmbeddedBody::solve() const {
   if (!factor.factor(held())) return VecX::Constant(m_pull.size(), NAN);
   VecX u = m_pull;
   for (const auto& [place, axis, stiff, towards] : m_held)
-    for (int i = 0; i < 4; ++i) u[3 * place.at.node[i] + axis] += stiff * m_young / m_cell * place.area * place.at.weight[i] * towards;
+    for (int i = 0; i < 4; ++i)
+      u[3 * place.at.node[i] + axis] += stiff * m_young / m_cell * place.area * place.at.weight[i] * towards;
   factor.solve(u);
   return u;
 }
@@ -201,7 +215,8 @@ std::vector<double> EmbeddedBody::frequencies(int count, std::vector<VecX>* shap
   // Subspace iteration (Bathe and Wilson 1973) with twice the vectors wanted.
   MatX X = MatX::Zero(m_pull.size(), 2 * count + 4), Y = X, Z = X;
   for (Eigen::Index c = 0; c < X.cols(); ++c)
-    for (Eigen::Index r = 0; r < X.rows(); ++r) X(r, c) = std::sin(0.37 * (1 + c) * (1 + r % 97) + 0.11 * c * (r / 97));
+    for (Eigen::Index r = 0; r < X.rows(); ++r)
+      X(r, c) = std::sin(0.37 * (1 + c) * (1 + r % 97) + 0.11 * c * (r / 97));
   VecX squares;
   for (int round = 0; round < 30; ++round) {
     VecX column;
@@ -217,11 +232,13 @@ std::vector<double> EmbeddedBody::frequencies(int count, std::vector<VecX>* shap
       Z.col(c) = column;
     }
     const MatX stiff = X.transpose() * Y, heavy = X.transpose() * Z;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatX> small(0.5 * (stiff + stiff.transpose()), 0.5 * (heavy + heavy.transpose()));
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatX> small(0.5 * (stiff + stiff.transpose()),
+                                                               0.5 * (heavy + heavy.transpose()));
     X = X * small.eigenvectors();
     const VecX before = squares;
     squares = small.eigenvalues().head(count);
-    if (before.size() == count && (squares - before).cwiseQuotient(squares).cwiseAbs().maxCoeff() < 1e-8) break;
+    if (before.size() == count && (squares - before).cwiseQuotient(squares).cwiseAbs().maxCoeff() < 1e-8)
+      break;
   }
   std::vector<double> frequencies;
   for (int i = 0; i < count; ++i) frequencies.push_back(std::sqrt(squares[i]) / (2 * M_PI));
@@ -234,7 +251,8 @@ double EmbeddedBody::radialShare(const VecX& shape) const {
   double reach = 0, radial = 0;
   for (const Vec3& x : m_mesh->nodes) reach = std::max(reach, x.norm());
   for (int i = 0; i < nodes(); ++i)
-    if (m_mesh->nodes[i].norm() > 0.1 * reach) radial += std::pow(shape.segment<3>(3 * i).dot(m_mesh->nodes[i].normalized()), 2);
+    if (m_mesh->nodes[i].norm() > 0.1 * reach)
+      radial += std::pow(shape.segment<3>(3 * i).dot(m_mesh->nodes[i].normalized()), 2);
   return radial / shape.squaredNorm();
 }
 
@@ -249,7 +267,8 @@ double EmbeddedBody::affineImbalance(const Mat3& F) const {
   m_soft->assemble(settings, state, m_entries, rotations, A, forces);  // b = Δt F + M v with v = 0
   const Eigen::JacobiSVD<Mat3> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Mat3 R = svd.matrixU() * svd.matrixV().transpose(), strain = R.transpose() * F - Mat3::Identity();
-  const Mat3 wanted = -enclosedVolume(m_surface.mesh) * R * (2 * m_lame.mu * strain + m_lame.lambda * strain.trace() * Mat3::Identity());
+  const Mat3 wanted = -enclosedVolume(m_surface.mesh) * R *
+                      (2 * m_lame.mu * strain + m_lame.lambda * strain.trace() * Mat3::Identity());
   const TriangleTree surface(m_surface.mesh);
   Mat3 moment = Mat3::Zero();
   double inside = 0;
@@ -261,10 +280,13 @@ double EmbeddedBody::affineImbalance(const Mat3& F) const {
   return std::max(inside / forces.lpNorm<Eigen::Infinity>(), (moment - wanted).norm() / wanted.norm());
 }
 
-Vec3 EmbeddedBody::displacementAt(const VecX& u, const Vec3& x) const { return displacementsAt(u, std::span(&x, 1))[0]; }
+Vec3 EmbeddedBody::displacementAt(const VecX& u, const Vec3& x) const {
+  return displacementsAt(u, std::span(&x, 1))[0];
+}
 
 std::vector<Vec3> EmbeddedBody::displacementsAt(const VecX& u, std::span<const Vec3> places) const {
-  const std::vector<VertexBinding> bound = bindToTets(*m_mesh, std::vector<Vec3>(places.begin(), places.end()));
+  const std::vector<VertexBinding> bound =
+      bindToTets(*m_mesh, std::vector<Vec3>(places.begin(), places.end()));
   std::vector<Vec3> found;
   for (const VertexBinding& at : bound) {
     Vec3& sum = found.emplace_back(Vec3::Zero());

@@ -8,8 +8,8 @@
 #include "simcore/body/SoftObject.h"
 #include "simcore/embed/Cells.h"
 #include "simcore/linear/BlockCholesky.h"
-#include "simcore/spatial/TriangleTree.h"
 #include "simcore/scene/Scenario.h"
+#include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::truth {
 
@@ -19,42 +19,46 @@ struct MarkedSurface {
   std::vector<char> mark;
 };
 
-/// The body over a mapped quadrilateral (x, y)(s, t), s, t in [0, 1], from the first to the last of `levels` (z, ascending).
-/// Marks: 'a' s = 0, 'b' s = 1, 'c' t = 0, 'd' t = 1, '-' below, '+' above; on 'd' between levels `band` and band + 1: 'e'.
-/// The map must keep orientation.
-MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int nt, const std::vector<double>& levels, int band = -1);
+/// The body over a mapped quadrilateral (x, y)(s, t), s, t in [0, 1], from the first to the last of `levels`
+/// (z, ascending). Marks: 'a' s = 0, 'b' s = 1, 'c' t = 0, 'd' t = 1, '-' below, '+' above; on 'd' between
+/// levels `band` and band + 1: 'e'. The map must keep orientation.
+MarkedSurface prism(const std::function<Vec2(double, double)>& map, int ns, int nt,
+                    const std::vector<double>& levels, int band = -1);
 
-/// A soft part alone as the simulation has it (embedded cells, fill, consistent mass), its stiffness at rest as the step
-/// assembles it, for problems of linear elasticity with published answers. SI units or any other consistent ones.
-/// Surfaces are held by stiff springs over their area, the way a scenario's supports are.
+/// A soft part alone as the simulation has it (embedded cells, fill, consistent mass), its stiffness at rest
+/// as the step assembles it, for problems of linear elasticity with published answers. SI units or any other
+/// consistent ones. Surfaces are held by stiff springs over their area, the way a scenario's supports are.
 class EmbeddedBody {
  public:
   /// `axes`: of the grid; along a band cells have the size of cell.x (embedAlong).
-  EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson, double density = 1,
-               GridAxes axes = GridAxes::World);
+  EmbeddedBody(MarkedSurface surface, const Vec3& cell, Elements elements, double young, double poisson,
+               double density = 1, GridAxes axes = GridAxes::World);
 
-  /// Nothing with one of these marks moves along an axis of W (0, 1, 2): springs of `stiff` E / cell for each area. Where such a
-  /// face cuts through cells they must not be much stiffer than those: a field that is piecewise linear and zero on a face
-  /// inside its elements has one slope there for all of them.
+  /// Nothing with one of these marks moves along an axis of W (0, 1, 2): springs of `stiff` E / cell for each
+  /// area. Where such a face cuts through cells they must not be much stiffer than those: a field that is
+  /// piecewise linear and zero on a face inside its elements has one slope there for all of them.
   void hold(std::string_view marks, int axis, double stiff = 1e5);
   /// As that, but towards a displacement of each place instead of none.
-  void draw(std::string_view marks, int axis, double stiff, const std::function<double(const Vec3& x)>& towards);
+  void draw(std::string_view marks, int axis, double stiff,
+            const std::function<double(const Vec3& x)>& towards);
   /// Traction (force for each area) on all triangles of a mark, of the place and its outward unit normal.
   void pull(char mark, const std::function<Vec3(const Vec3& x, const Vec3& normal)>& traction);
   void pull(char mark, const std::function<Vec3(const Vec3& normal)>& traction);
 
   /// Displacements under what was pulled.
   VecX solve() const;
-  /// Displacements where every node that does not lie deeper than two cells in the body moves as `field` says of it: inside, a field that needs no
-  /// body force is to come out again.
+  /// Displacements where every node that does not lie deeper than two cells in the body moves as `field` says
+  /// of it: inside, a field that needs no body force is to come out again.
   VecX solveInside(const std::function<Vec3(const Vec3& x)>& field) const;
   /// The lowest natural frequencies, 1/s, ascending.
   std::vector<double> frequencies(int count, std::vector<VecX>* shapes = nullptr) const;
-  /// Share of a shape's squares that points from the origin, over nodes more than a tenth of the body's reach away from it.
+  /// Share of a shape's squares that points from the origin, over nodes more than a tenth of the body's reach
+  /// away from it.
   double radialShare(const VecX& shape) const;
 
-  /// The patch test: every node moves by x = F X. What is left of the forces on nodes that lie deeper than two cells in the body, over the largest
-  /// force there is; and how far Σ f Xᵀ is from −V P, P the one stress that F asks for, over that. The larger of the two; zero but for round-off.
+  /// The patch test: every node moves by x = F X. What is left of the forces on nodes that lie deeper than
+  /// two cells in the body, over the largest force there is; and how far Σ f Xᵀ is from −V P, P the one
+  /// stress that F asks for, over that. The larger of the two; zero but for round-off.
   double affineImbalance(const Mat3& F) const;
 
   Vec3 displacementAt(const VecX& u, const Vec3& x) const;

@@ -11,26 +11,37 @@ namespace glenoid::truth {
 
 namespace {
 
-TruthValue beside(double value, double known) { return {value, std::abs(value / known - 1)}; }
+TruthValue beside(double value, double known) {
+  return {value, std::abs(value / known - 1)};
+}
 
-/// A quarter of an elliptic annulus between x²/4 + y² = 1 and x²/3.25² + y²/2.75² = 1, of NAFEMS LE1 and LE10. 'a' lies in
-/// x = 0, 'b' in y = 0, 'c' is the inner surface, 'd' the outer one.
+/// A quarter of an elliptic annulus between x²/4 + y² = 1 and x²/3.25² + y²/2.75² = 1, of NAFEMS LE1 and
+/// LE10. 'a' lies in x = 0, 'b' in y = 0, 'c' is the inner surface, 'd' the outer one.
 Vec2 quarterMap(double s, double t) {
   const double angle = (1 - s) * std::numbers::pi / 2, c = s == 0 ? 0 : std::cos(angle), n = std::sin(angle);
   return {((1 - t) * 2 + t * 3.25) * c, ((1 - t) * 1 + t * 2.75) * n};
 }
-MarkedSurface quarterRing(const std::vector<double>& levels, int band = -1) { return prism(quarterMap, 96, 4, levels, band); }
+MarkedSurface quarterRing(const std::vector<double>& levels, int band = -1) {
+  return prism(quarterMap, 96, 4, levels, band);
+}
 
-constexpr double kSteel = 210e9;  // Pa
+constexpr double kSteel = 210e9;                       // Pa
 constexpr double kStiffHold = 1e5, kSofterHold = 1e3;  // E / cell: EmbeddedBody::hold
 
-MarkedSurface plateSurface() { return quarterRing({0, 0.1, 0.2, 0.29, 0.31, 0.4, 0.5, 0.6}, 3); }
-Vec3 plateCell(double cell) { return {cell, cell, 0.6 / std::round(0.6 / cell)}; }
+MarkedSurface plateSurface() {
+  return quarterRing({0, 0.1, 0.2, 0.29, 0.31, 0.4, 0.5, 0.6}, 3);
+}
+Vec3 plateCell(double cell) {
+  return {cell, cell, 0.6 / std::round(0.6 / cell)};
+}
 
-Vec2 cookMap(double s, double t) { return {48 * s, (1 - t) * 44 * s + t * (44 + 16 * s)}; }
+Vec2 cookMap(double s, double t) {
+  return {48 * s, (1 - t) * 44 * s + t * (44 + 16 * s)};
+}
 
 /// A scene of one soft part with a marked surface: each mark a region.
-TruthScene sceneOf(const char* id, const TruthSetup& setup, MarkedSurface surface, const Vec3& cell, double young, double poisson) {
+TruthScene sceneOf(const char* id, const TruthSetup& setup, MarkedSurface surface, const Vec3& cell,
+                   double young, double poisson) {
   TruthScene scene = namedScene(id);
   Material& tissue = scene.joint.materials[1];
   tissue.youngsModulus = setup.stiffness * young;
@@ -43,12 +54,14 @@ TruthScene sceneOf(const char* id, const TruthSetup& setup, MarkedSurface surfac
   part.number = 1;
   part.kind = PartKind::Soft;
   part.visual = part.collision = std::make_shared<const TriMesh>(surface.mesh);
-  part.volume = std::make_shared<const TetMesh>(embedInCells(surface.mesh, surface.mesh, CellGrid{{}, cell}).value());
+  part.volume =
+      std::make_shared<const TetMesh>(embedInCells(surface.mesh, surface.mesh, CellGrid{{}, cell}).value());
   part.cellSize = std::cbrt(cell.prod());
   part.elements = setup.elements;
   part.materials = {{"tissue", ""}};
   std::map<char, std::vector<int>> marked;
-  for (std::size_t t = 0; t < surface.mark.size(); ++t) marked[surface.mark[t]].push_back(static_cast<int>(t));
+  for (std::size_t t = 0; t < surface.mark.size(); ++t)
+    marked[surface.mark[t]].push_back(static_cast<int>(t));
   for (const auto& [mark, triangles] : marked) {
     const std::string name = mark == '-' ? "below" : mark == '+' ? "above" : std::string("side-") + mark;
     part.regions.push_back({name, name, "other", SurfaceKind::Visual, runsOf(triangles)});
@@ -89,7 +102,9 @@ TruthScene ellipticMembraneScene(const TruthSetup& setup, double cell) {
 
 BrickProblem ellipticMembraneBricks() {
   BrickProblem bricks{quarterMap, 24, 16, 1, 0.1, kSteel, 0.3, {}, 'd', -10e6};
-  bricks.held = [](double s, double, double z, int axis) { return (axis == 0 && s == 0) || (axis == 1 && s == 1) || (axis == 2 && z == 0); };
+  bricks.held = [](double s, double, double z, int axis) {
+    return (axis == 0 && s == 0) || (axis == 1 && s == 1) || (axis == 2 && z == 0);
+  };
   return bricks;
 }
 
@@ -97,7 +112,8 @@ Result<TruthValue> thickPlate(const TruthSetup& setup, double cell) {
   EmbeddedBody body(plateSurface(), plateCell(cell), setup.elements, setup.stiffness * kSteel, 0.3);
   body.hold("b", 1, kStiffHold);
   body.hold("a", 0, kStiffHold);
-  // The outer surface cuts through cells: held hard it takes up to a tenth of the bending, less in finer cells.
+  // The outer surface cuts through cells: held hard it takes up to a tenth of the bending, less in finer
+  // cells.
   body.hold("de", 0, kSofterHold);
   body.hold("de", 1, kSofterHold);
   body.hold("e", 2, kSofterHold);
@@ -118,14 +134,16 @@ TruthScene thickPlateScene(const TruthSetup& setup, double cell) {
 BrickProblem thickPlateBricks() {
   BrickProblem bricks{quarterMap, 24, 16, 8, 0.6, kSteel, 0.3, {}, '+', 1e6};
   bricks.held = [](double s, double t, double z, int axis) {
-    return (axis == 0 && (s == 0 || t == 1)) || (axis == 1 && (s == 1 || t == 1)) || (axis == 2 && t == 1 && z == 0.5);
+    return (axis == 0 && (s == 0 || t == 1)) || (axis == 1 && (s == 1 || t == 1)) ||
+           (axis == 2 && t == 1 && z == 0.5);
   };
   return bricks;
 }
 
 std::vector<double> taperedMembrane(const TruthSetup& setup, double cell, int count) {
   const auto map = [](double s, double t) { return Vec2(10 * s, (2 * t - 1) * (2.5 - 2 * s)); };
-  EmbeddedBody body(prism(map, 20, 10, {0, 0.05}), {cell, cell, 0.05}, setup.elements, setup.stiffness * 200e9, 0.3, 8000);
+  EmbeddedBody body(prism(map, 20, 10, {0, 0.05}), {cell, cell, 0.05}, setup.elements,
+                    setup.stiffness * 200e9, 0.3, 8000);
   body.hold("a", 0, kStiffHold);
   body.hold("a", 1, kStiffHold);
   body.hold("-", 2, kStiffHold);
@@ -133,7 +151,8 @@ std::vector<double> taperedMembrane(const TruthSetup& setup, double cell, int co
 }
 
 Result<TruthValue> cookMembrane(const TruthSetup& setup, double cell) {
-  EmbeddedBody body(prism(cookMap, 12, 12, {0, 1}), {cell, cell, 1}, setup.elements, setup.stiffness, 1.0 / 3);
+  EmbeddedBody body(prism(cookMap, 12, 12, {0, 1}), {cell, cell, 1}, setup.elements, setup.stiffness,
+                    1.0 / 3);
   body.hold("a", 0, kStiffHold);
   body.hold("a", 1, kStiffHold);
   body.hold("-", 2, kStiffHold);
@@ -142,8 +161,10 @@ Result<TruthValue> cookMembrane(const TruthSetup& setup, double cell) {
 }
 
 Result<TruthValue> cookSolid(const TruthSetup& setup, double cell) {
-  // Both faces are planes of symmetry in the published figure, as 20-node bricks of CalculiX show: 32.269 so, 35.68 with one face free.
-  EmbeddedBody body(prism(cookMap, 12, 12, {0, 2}), {cell, cell, 2}, setup.elements, setup.stiffness * 70, 0.33);
+  // Both faces are planes of symmetry in the published figure, as 20-node bricks of CalculiX show: 32.269
+  // so, 35.68 with one face free.
+  EmbeddedBody body(prism(cookMap, 12, 12, {0, 2}), {cell, cell, 2}, setup.elements, setup.stiffness * 70,
+                    0.33);
   for (int axis = 0; axis < 3; ++axis) body.hold("a", axis, kStiffHold);
   body.hold("+-", 2, kStiffHold);
   body.pull('b', [](const Vec3&) { return Vec3(0, 6.25, 0); });
@@ -159,11 +180,14 @@ Result<TruthValue> elasticBall(const TruthSetup& setup, double cellInRadii) {
   for (int r = 1; r < kRings; ++r)
     for (int a = 0; a < kAround; ++a) {
       const double polar = std::numbers::pi * r / kRings, round = 2 * std::numbers::pi * a / kAround;
-      mesh.vertices.push_back({std::sin(polar) * std::cos(round), std::sin(polar) * std::sin(round), std::cos(polar)});
+      mesh.vertices.push_back(
+          {std::sin(polar) * std::cos(round), std::sin(polar) * std::sin(round), std::cos(polar)});
     }
   mesh.vertices.push_back(Vec3(0, 0, -1));
   const int last = static_cast<int>(mesh.vertices.size()) - 1;
-  const auto at = [&](int r, int a) { return r == 0 ? 0 : r == kRings ? last : 1 + (r - 1) * kAround + a % kAround; };
+  const auto at = [&](int r, int a) {
+    return r == 0 ? 0 : r == kRings ? last : 1 + (r - 1) * kAround + a % kAround;
+  };
   for (int r = 0; r < kRings; ++r)
     for (int a = 0; a < kAround; ++a) {
       if (r > 0) mesh.triangles.push_back({at(r, a), at(r + 1, a), at(r, a + 1)});
@@ -174,7 +198,8 @@ Result<TruthValue> elasticBall(const TruthSetup& setup, double cellInRadii) {
   for (Vec3& x : mesh.vertices) x *= grown;
   ball.mark.assign(mesh.triangles.size(), 's');
   constexpr double kPoisson = 0.25, kShear = 1;  // c_s 1
-  EmbeddedBody body(ball, Vec3::Constant(cellInRadii), setup.elements, setup.stiffness * 2 * kShear * (1 + kPoisson), kPoisson, 1);
+  EmbeddedBody body(ball, Vec3::Constant(cellInRadii), setup.elements,
+                    setup.stiffness * 2 * kShear * (1 + kPoisson), kPoisson, 1);
   // A bed that is next to nothing makes rigid motions slow instead of endless.
   for (int axis = 0; axis < 3; ++axis) body.hold("s", axis, 1e-7);
   std::vector<VecX> shapes;
@@ -192,16 +217,20 @@ namespace {
 constexpr double kAskew = 0.35;  // rad
 Vec2 askew(double s, double t) {
   const Vec2 p(s, 0.8 * t);
-  return {std::cos(kAskew) * p.x() - std::sin(kAskew) * p.y() + 0.013, std::sin(kAskew) * p.x() + std::cos(kAskew) * p.y() + 0.007};
+  return {std::cos(kAskew) * p.x() - std::sin(kAskew) * p.y() + 0.013,
+          std::sin(kAskew) * p.x() + std::cos(kAskew) * p.y() + 0.007};
 }
-MarkedSurface askewBox() { return prism(askew, 8, 8, {0.011, 0.211, 0.411, 0.611}); }
+MarkedSurface askewBox() {
+  return prism(askew, 8, 8, {0.011, 0.211, 0.411, 0.611});
+}
 
 /// 2µ u = (3 − 4ν) b e_y − y ∇b with b harmonic, which balances without body forces.
 struct Field {
   double poisson, mu;
   static constexpr double kWave = 2;
   Vec3 at(const Vec3& x) const {
-    const double r = kWave / std::numbers::sqrt2, e = std::exp(kWave * x.x()) / (2 * mu), c = e * std::cos(r * (x.y() + x.z())), s = e * std::sin(r * (x.y() + x.z()));
+    const double r = kWave / std::numbers::sqrt2, e = std::exp(kWave * x.x()) / (2 * mu),
+                 c = e * std::cos(r * (x.y() + x.z())), s = e * std::sin(r * (x.y() + x.z()));
     return Vec3(0, (3 - 4 * poisson) * c, 0) - x.y() * Vec3(kWave * c, -r * s, -r * s);
   }
 };
@@ -235,8 +264,10 @@ Result<TruthValue> smoothField(const TruthSetup& setup, double cell) {
 Result<TruthValue> affinePatch(const TruthSetup& setup, double cell) {
   EmbeddedBody body(askewBox(), Vec3::Constant(cell), setup.elements, setup.stiffness * 5e4, 0.4);
   Mat3 stretch;
-  stretch << 1.1, 0.05, -0.02, 0.05, 0.93, 0.04, -0.02, 0.04, 1.03;  // principal stretches within what the law has as linear
-  const double error = body.affineImbalance(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix() * stretch);
+  stretch << 1.1, 0.05, -0.02, 0.05, 0.93, 0.04, -0.02, 0.04,
+      1.03;  // principal stretches within what the law has as linear
+  const double error =
+      body.affineImbalance(Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix() * stretch);
   return TruthValue{error, error};
 }
 

@@ -9,7 +9,9 @@
 
 namespace glenoid::truth {
 
-TriMesh boxSurface(const Vec3& low, const Vec3& high, int n) { return gridBox(low, high, {n, n, n}); }
+TriMesh boxSurface(const Vec3& low, const Vec3& high, int n) {
+  return gridBox(low, high, {n, n, n});
+}
 
 TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz) {
   TetMesh mesh;
@@ -17,7 +19,8 @@ TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz) {
   for (int z = 0; z <= nz; ++z)
     for (int y = 0; y <= ny; ++y)
       for (int x = 0; x <= nx; ++x)
-        mesh.nodes.push_back(low + (high - low).cwiseProduct(Vec3(double(x) / nx, double(y) / ny, double(z) / nz)));
+        mesh.nodes.push_back(low +
+                             (high - low).cwiseProduct(Vec3(double(x) / nx, double(y) / ny, double(z) / nz)));
   for (int z = 0; z < nz; ++z)
     for (int y = 0; y < ny; ++y)
       for (int x = 0; x < nx; ++x) {
@@ -29,7 +32,8 @@ TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz) {
         for (const auto& tet : odd ? odd4 : even4) {
           std::array<int, 4> t{c[tet[0]], c[tet[1]], c[tet[2]], c[tet[3]]};
           mesh.tets.push_back(t);
-          if (tetVolume(mesh, static_cast<int>(mesh.tets.size()) - 1) < 0) std::swap(mesh.tets.back()[0], mesh.tets.back()[1]);
+          if (tetVolume(mesh, static_cast<int>(mesh.tets.size()) - 1) < 0)
+            std::swap(mesh.tets.back()[0], mesh.tets.back()[1]);
         }
       }
   return mesh;

@@ -3,8 +3,8 @@
 #include "simcore/scene/Joint.h"
 #include "simcore/scene/Scenario.h"
 
-/// Boxes and what is cut from them: the matter of problems with known answers, for `glenoid study truth` and for tests alike.
-/// Metres, Y up.
+/// Boxes and what is cut from them: the matter of problems with known answers, for `glenoid study truth` and
+/// for tests alike. Metres, Y up.
 namespace glenoid::truth {
 
 /// A joint and a scenario that belong together, not in files yet.
@@ -19,12 +19,17 @@ TriMesh boxSurface(const Vec3& low, const Vec3& high, int n = 1);
 /// The box cut into nx × ny × nz bricks of five tetrahedra each, faces matching.
 TetMesh boxVolume(const Vec3& low, const Vec3& high, int nx, int ny, int nz);
 
-/// As boxVolume but with these coordinates along each axis, and its surface with the same grid, wound outwards.
-TetMesh gradedVolume(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
-TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);
+/// As boxVolume but with these coordinates along each axis, and its surface with the same grid, wound
+/// outwards.
+TetMesh gradedVolume(const std::vector<double>& x, const std::vector<double>& y,
+                     const std::vector<double>& z);
+TriMesh gradedSurface(const std::vector<double>& x, const std::vector<double>& y,
+                      const std::vector<double>& z);
 
-/// A part with a box as both surfaces and, if soft, boxVolume of cells per edge. Material ids: "bone", "tissue".
-Part boxPart(const std::string& id, int number, PartKind kind, const Vec3& low, const Vec3& high, int cells = 2);
+/// A part with a box as both surfaces and, if soft, boxVolume of cells per edge. Material ids: "bone",
+/// "tissue".
+Part boxPart(const std::string& id, int number, PartKind kind, const Vec3& low, const Vec3& high,
+             int cells = 2);
 /// A rigid box with two triangles on each face.
 Part plainBox(const std::string& id, int number, const Vec3& low, const Vec3& high);
 

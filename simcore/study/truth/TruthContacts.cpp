@@ -45,7 +45,7 @@ TriMesh ballSurface(double radius, double finest) {
 }  // namespace
 
 TruthScene ballOnBlock(double radius, double mass, double youngsModulus, double cell, double growth,
-                        double reach) {
+                       double reach) {
   TruthScene scene = namedScene("ball");
   std::vector<double> half{0};
   for (double step = cell; half.back() < reach; step *= half.size() > 2 ? growth : 1)
@@ -80,9 +80,11 @@ TruthScene ballOnBlock(double radius, double mass, double youngsModulus, double 
 
 double layerDepth(double contactOverThickness) {
   constexpr double nu = 0.3, pi = std::numbers::pi;
-  const double alpha = -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1 - nu), beta = (0.6387 - 1.0277 * nu + 1.5164 * nu * nu) / (1 - nu);
+  const double alpha = -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1 - nu),
+               beta = (0.6387 - 1.0277 * nu + 1.5164 * nu * nu) / (1 - nu);
   const auto stiffer = [&](double chi) {
-    return 1 - 2 * alpha / pi * chi + 4 * alpha * alpha / (pi * pi) * chi * chi - 8 / std::pow(pi, 3) * (std::pow(alpha, 3) + 4 * pi * pi / 15 * beta) * std::pow(chi, 3) +
+    return 1 - 2 * alpha / pi * chi + 4 * alpha * alpha / (pi * pi) * chi * chi -
+           8 / std::pow(pi, 3) * (std::pow(alpha, 3) + 4 * pi * pi / 15 * beta) * std::pow(chi, 3) +
            16 * alpha / std::pow(pi, 4) * (std::pow(alpha, 3) + 3 * pi * pi / 5 * beta) * std::pow(chi, 4);
   };
   double depth = 1;  // χ = √(R d)/h is that of the layer's own depth
@@ -103,7 +105,8 @@ TruthScene contactPatch(int below, int above, double stiffness) {
     for (int i = 0; i <= count; ++i) at.push_back(from + (to - from) * i / count);
     return at;
   };
-  const auto part = [&](const char* id, int number, double side, double bottom, double top, int along, int up) {
+  const auto part = [&](const char* id, int number, double side, double bottom, double top, int along,
+                        int up) {
     const std::vector<double> across = evenly(0, side, along), height = evenly(bottom, top, up);
     Part soft = boxPart(id, number, PartKind::Soft, Vec3(0, bottom, 0), Vec3(side, top, side));
     soft.visual = soft.collision = std::make_shared<const TriMesh>(gradedSurface(across, height, across));
@@ -111,14 +114,18 @@ TruthScene contactPatch(int below, int above, double stiffness) {
     soft.cellSize = side / along;
     return soft;
   };
-  Part slab = part("slab", 1, 0.08, -0.02, 0, below, std::max(1, below / 4)), block = part("block", 2, 0.04, kPatchGap, 0.02 + kPatchGap, above, std::max(1, above / 2));
-  slab.regions = {regionIn(slab, "bottom", levelAt(1, -0.02)), regionIn(slab, "top", levelAt(1, 0)), regionIn(slab, "left", levelAt(0, 0)), regionIn(slab, "back", levelAt(2, 0))};
-  block.regions = {regionIn(block, "top", levelAt(1, 0.02 + kPatchGap)), regionIn(block, "left", levelAt(0, 0)), regionIn(block, "back", levelAt(2, 0))};
+  Part slab = part("slab", 1, 0.08, -0.02, 0, below, std::max(1, below / 4)),
+       block = part("block", 2, 0.04, kPatchGap, 0.02 + kPatchGap, above, std::max(1, above / 2));
+  slab.regions = {regionIn(slab, "bottom", levelAt(1, -0.02)), regionIn(slab, "top", levelAt(1, 0)),
+                  regionIn(slab, "left", levelAt(0, 0)), regionIn(slab, "back", levelAt(2, 0))};
+  block.regions = {regionIn(block, "top", levelAt(1, 0.02 + kPatchGap)),
+                   regionIn(block, "left", levelAt(0, 0)), regionIn(block, "back", levelAt(2, 0))};
   // What the slab shows beside the block.
   std::vector<int> open;
   for (const int t : trianglesOf(slab.regions[1])) {
     const auto& c = slab.visual->triangles[static_cast<std::size_t>(t)];
-    const Vec3 middle = (slab.visual->vertices[c[0]] + slab.visual->vertices[c[1]] + slab.visual->vertices[c[2]]) / 3;
+    const Vec3 middle =
+        (slab.visual->vertices[c[0]] + slab.visual->vertices[c[1]] + slab.visual->vertices[c[2]]) / 3;
     if (std::max(middle.x(), middle.z()) > 0.04) open.push_back(t);
   }
   slab.regions[1] = {"open", "open", "other", SurfaceKind::Visual, runsOf(open)};
@@ -127,8 +134,11 @@ TruthScene contactPatch(int below, int above, double stiffness) {
   s.gravity_W.setZero();
   s.effects.friction = s.effects.selfContact = Wish::Off;
   const double stiff = 1e4 * kPatchYoung / 0.02;
-  s.supports = {{"slab", "bottom", Axes{false, true, false}, stiff, 0}, {"slab", "left", Axes{true, false, false}, stiff, 0}, {"slab", "back", Axes{false, false, true}, stiff, 0},
-                {"block", "left", Axes{true, false, false}, stiff, 0}, {"block", "back", Axes{false, false, true}, stiff, 0}};
+  s.supports = {{"slab", "bottom", Axes{false, true, false}, stiff, 0},
+                {"slab", "left", Axes{true, false, false}, stiff, 0},
+                {"slab", "back", Axes{false, false, true}, stiff, 0},
+                {"block", "left", Axes{true, false, false}, stiff, 0},
+                {"block", "back", Axes{false, false, true}, stiff, 0}};
   s.pressures = {{"block", "top", kPatchPressure}, {"slab", "open", kPatchPressure}};
   s.dt = 0.05;
   s.contactDistance = 5e-4;
@@ -149,11 +159,16 @@ TruthScene capstan(int around, double friction) {
   auto drum = std::make_shared<TriMesh>();
   const int corners = 2 * around;
   for (const double z : {-2 * kHalfWidth, 2 * kHalfWidth})
-    for (int i = 0; i < corners; ++i) drum->vertices.push_back({kRadius * std::cos(2 * pi * i / corners), kRadius * std::sin(2 * pi * i / corners), z});
+    for (int i = 0; i < corners; ++i)
+      drum->vertices.push_back(
+          {kRadius * std::cos(2 * pi * i / corners), kRadius * std::sin(2 * pi * i / corners), z});
   for (const double z : {-2 * kHalfWidth, 2 * kHalfWidth}) drum->vertices.push_back({0, 0, z});
   for (int i = 0; i < corners; ++i) {
     const int j = (i + 1) % corners;
-    drum->triangles.insert(drum->triangles.end(), {{i, j, corners + j}, {i, corners + j, corners + i}, {2 * corners, j, i}, {2 * corners + 1, corners + i, corners + j}});
+    drum->triangles.insert(drum->triangles.end(), {{i, j, corners + j},
+                                                   {i, corners + j, corners + i},
+                                                   {2 * corners, j, i},
+                                                   {2 * corners + 1, corners + i, corners + j}});
   }
   Part roller = boxPart("drum", 1, PartKind::Rigid, Vec3::Zero(), Vec3::Ones());
   roller.visual = roller.collision = drum;
@@ -169,12 +184,19 @@ TruthScene capstan(int around, double friction) {
   const int along = around + 2 * leg;
   Part band = boxPart("band", 2, PartKind::Soft, Vec3::Zero(), Vec3::Ones());
   TetMesh volume = boxVolume(Vec3::Zero(), Vec3(along, 1, 2), along, 1, 2);
-  TriMesh surface = gradedSurface([&] { std::vector<double> x; for (int i = 0; i <= along; ++i) x.push_back(i); return x; }(), {0, 1}, {0, 1, 2});
+  TriMesh surface = gradedSurface(
+      [&] {
+        std::vector<double> x;
+        for (int i = 0; i <= along; ++i) x.push_back(i);
+        return x;
+      }(),
+      {0, 1}, {0, 1, 2});
   const auto bent = [&](const Vec3& x) { return place(x.x(), kThick * x.y(), kHalfWidth * (x.z() - 1)); };
   std::vector<int> held;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& c = surface.triangles[t];
-    if ((surface.vertices[c[0]].x() + surface.vertices[c[1]].x() + surface.vertices[c[2]].x()) / 3 < 1e-6) held.push_back(static_cast<int>(t));
+    if ((surface.vertices[c[0]].x() + surface.vertices[c[1]].x() + surface.vertices[c[2]].x()) / 3 < 1e-6)
+      held.push_back(static_cast<int>(t));
   }
   for (Vec3& x : volume.nodes) x = bent(x);
   for (Vec3& x : surface.vertices) x = bent(x);

@@ -45,14 +45,17 @@ TruthScene hangingBar(int cells, double youngsModulus, double density) {
 
 namespace {
 
-/// Moves vertices that lie inside the level face at height y, by up to `scatter` of a cell within it and `heights` across.
+/// Moves vertices that lie inside the level face at height y, by up to `scatter` of a cell within it and
+/// `heights` across.
 void roughen(TriMesh& mesh, double y, int cells, double scatter, double heights, std::mt19937& random) {
   const Box3 box = boundsOf(mesh);
   const Vec3 cell = box.sizes() / cells;
   std::uniform_real_distribution<double> any(-1, 1);
   for (Vec3& x : mesh.vertices) {
-    const double inset = std::min({x.x() - box.min().x(), box.max().x() - x.x(), x.z() - box.min().z(), box.max().z() - x.z()});
-    if (std::abs(x.y() - y) > 1e-9 * box.sizes().maxCoeff() || inset < 1e-6 * box.sizes().maxCoeff()) continue;
+    const double inset = std::min(
+        {x.x() - box.min().x(), box.max().x() - x.x(), x.z() - box.min().z(), box.max().z() - x.z()});
+    if (std::abs(x.y() - y) > 1e-9 * box.sizes().maxCoeff() || inset < 1e-6 * box.sizes().maxCoeff())
+      continue;
     x += Vec3(any(random) * scatter * cell.x(), any(random) * heights, any(random) * scatter * cell.z());
   }
 }
@@ -62,7 +65,8 @@ void turnAbout(TriMesh& mesh, const Vec3& centre, double angle) {
   for (Vec3& x : mesh.vertices) x = centre + R * (x - centre);
 }
 
-/// The lower face pulled in, so that a bevel of 45° leads up to the sides: the lowest ring of cells is `bevel` high.
+/// The lower face pulled in, so that a bevel of 45° leads up to the sides: the lowest ring of cells is
+/// `bevel` high.
 void bevelBelow(TriMesh& mesh, int cells, double bevel) {
   const Box3 box = boundsOf(mesh);
   const double second = box.min().y() + box.sizes().y() / cells;
@@ -110,10 +114,12 @@ Joint slideJoint(const Slide& slide) {
   if (slide.block == PartKind::Soft) block.volume = std::make_shared<TetMesh>(boxVolume(from, to, 4, 1, 3));
   joint.parts = {plate, block};
   if (softPlate) {
-    joint.parts.push_back(boxPart("base", 3, PartKind::Rigid, low - s * Vec3(0, 0.01, 0), Vec3(high.x(), low.y(), high.z())));
+    joint.parts.push_back(
+        boxPart("base", 3, PartKind::Rigid, low - s * Vec3(0, 0.01, 0), Vec3(high.x(), low.y(), high.z())));
     Part& sheet = joint.parts[0];
     sheet.visual = std::make_shared<TriMesh>(boxSurface(low, high, 16));  // a spring at each node below
-    sheet.regions.push_back(regionIn(sheet, "below", Box3(low - s * Vec3::Constant(1), Vec3(s, low.y() + 1e-6 * s, s))));
+    sheet.regions.push_back(
+        regionIn(sheet, "below", Box3(low - s * Vec3::Constant(1), Vec3(s, low.y() + 1e-6 * s, s))));
     joint.couplings.push_back({"glue", "plate", "base", "below", 1e8, 1e-3, ""});
     joint.exclusions.push_back({"plate", "base", ""});
     joint.exclusions.push_back({"base", "block", ""});
@@ -133,18 +139,21 @@ Scenario slideScenario(const Slide& slide) {
 }
 
 double slideSpeed(const Slide& slide, double time) {
-  return slide.scale * kSlideGravity * (std::sin(slide.angle) - slide.friction * std::cos(slide.angle)) * time;
+  return slide.scale * kSlideGravity * (std::sin(slide.angle) - slide.friction * std::cos(slide.angle)) *
+         time;
 }
 
 TruthScene stickSlip(const StickSlip& wish, double dt) {
   TruthScene scene = namedScene("truth-stick-slip");
   for (Material& material : scene.joint.materials) material.friction = wish.friction;
-  scene.joint.parts = {plainBox("plate", 1, Vec3(-0.1, -0.01, -0.06), Vec3(0.2, 0, 0.06)), plainBox("block", 2, Vec3(-0.02, 0, -0.02), Vec3(0.02, 0.02, 0.02)),
+  scene.joint.parts = {plainBox("plate", 1, Vec3(-0.1, -0.01, -0.06), Vec3(0.2, 0, 0.06)),
+                       plainBox("block", 2, Vec3(-0.02, 0, -0.02), Vec3(0.02, 0.02, 0.02)),
                        plainBox("hand", 3, Vec3(0.02, 0, -0.02), Vec3(0.03, 0.02, 0.02))};
   Part& block = scene.joint.parts[1];
   block.regions.push_back(regionIn(block, "face", levelAt(0, 0.02)));
   const double mass = 2000 * 0.04 * 0.02 * 0.04;
-  scene.joint.couplings.push_back({"spring", "block", "hand", "face", mass * wish.omega * wish.omega / (0.02 * 0.04), 0, ""});
+  scene.joint.couplings.push_back(
+      {"spring", "block", "hand", "face", mass * wish.omega * wish.omega / (0.02 * 0.04), 0, ""});
   scene.joint.exclusions = {{"block", "hand", "joined by a spring"}, {"plate", "hand", "moved by hand"}};
   scene.scenario.fixedParts = {"plate", "hand"};
   // The spring pulls along X alone: what moves it stays level.
@@ -154,7 +163,8 @@ TruthScene stickSlip(const StickSlip& wish, double dt) {
 }
 
 double stickSlipWay(const StickSlip& wish, double time) {
-  const double begins = wish.friction * kSlideGravity / (wish.omega * wish.omega * wish.speed), since = time - begins;
+  const double begins = wish.friction * kSlideGravity / (wish.omega * wish.omega * wish.speed),
+               since = time - begins;
   return since <= 0 ? 0 : wish.speed * (since - std::sin(wish.omega * since) / wish.omega);
 }
 
@@ -168,7 +178,8 @@ TruthScene clampedBar(int through, double load, double stiffness) {
   const Vec3 low(0, -kThick / 2, -kThick / 2), high(kBarLength, kThick / 2, kThick / 2);
   scene.joint.parts.push_back(plainBox("wall", 1, Vec3(-0.01, -0.01, -0.01), Vec3(0, 0.01, 0.01)));
   Part bar = boxPart("bar", 2, PartKind::Soft, low, high);
-  bar.volume = std::make_shared<TetMesh>(boxVolume(low, high, 20 * through, through, std::max(1, through / 2)));
+  bar.volume =
+      std::make_shared<TetMesh>(boxVolume(low, high, 20 * through, through, std::max(1, through / 2)));
   bar.cellSize = kThick / through;
   bar.visual = std::make_shared<TriMesh>(boxSurface(low, high, 20));
   bar.regions.push_back(regionIn(bar, "end", levelAt(0, 0)));
@@ -178,14 +189,16 @@ TruthScene clampedBar(int through, double load, double stiffness) {
   scene.scenario.fixedParts = {"wall"};
   scene.scenario.gravity_W.setZero();
   scene.scenario.effects.contact = Wish::Off;
-  const double bending = kYoung * std::pow(kThick, 4) / 12, force = load * bending / (kBarLength * kBarLength);
+  const double bending = kYoung * std::pow(kThick, 4) / 12,
+               force = load * bending / (kBarLength * kBarLength);
   scene.scenario.loads.push_back({"bar", Vec3(0, -force, 0), Vec3::Zero(), Vec3(kBarLength, 0, 0)});
   scene.scenario.dt = 0.1;
   return scene;
 }
 
 double elasticaDrop(double load) {
-  // θ'' = −load cos θ over s in [0, 1], θ(0) = 0, θ'(1) = 0, y' = sin θ; θ'(0) by halving, since θ'(1) grows with it.
+  // θ'' = −load cos θ over s in [0, 1], θ(0) = 0, θ'(1) = 0, y' = sin θ; θ'(0) by halving, since θ'(1) grows
+  // with it.
   double drop = 0;
   const auto endSlope = [&](double slope) {
     constexpr int kSteps = 4000;
@@ -194,7 +207,8 @@ double elasticaDrop(double load) {
     drop = 0;
     for (int i = 0; i < kSteps; ++i) {  // Runge and Kutta's fourth order
       const auto bend = [&](double angle) { return -load * std::cos(angle); };
-      const double k1 = rate, l1 = bend(theta), k2 = rate + h / 2 * l1, l2 = bend(theta + h / 2 * k1), k3 = rate + h / 2 * l2, l3 = bend(theta + h / 2 * k2);
+      const double k1 = rate, l1 = bend(theta), k2 = rate + h / 2 * l1, l2 = bend(theta + h / 2 * k1),
+                   k3 = rate + h / 2 * l2, l3 = bend(theta + h / 2 * k2);
       const double k4 = rate + h * l3, l4 = bend(theta + h * k3);
       const double middle = theta + h / 2 * k2, next = theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
       drop += h / 6 * (std::sin(theta) + 4 * std::sin(middle) + std::sin(next));

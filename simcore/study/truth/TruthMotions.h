@@ -17,18 +17,20 @@ TruthScene twoBoxesOnASpring(double stiffness);
 /// Gravity.
 TruthScene hangingBar(int cells, double youngsModulus, double density);
 
-/// A block that slides down a flat plate, for every way in which a flat surface can be cut into triangles. The incline is
-/// a level plate under tilted gravity, so the closed form is that of a point: v = (g sin α − μ g cos α) t.
+/// A block that slides down a flat plate, for every way in which a flat surface can be cut into triangles.
+/// The incline is a level plate under tilted gravity, so the closed form is that of a point: v = (g sin α − μ
+/// g cos α) t.
 struct Slide {
   PartKind block = PartKind::Rigid, plate = PartKind::Rigid;
-  int cells = 10;           ///< of the plate along X; its triangles are a few millimetres to centimetres
-  double turn = 0;          ///< rad, of the plate about Y
-  double scatter = 0;       ///< of inner vertices of both faces that touch, in shares of a cell, within their plane
-  double heights = 0;       ///< m, of the plate's inner vertices, up and down at random
-  double bevel = 0;         ///< m, of the lower edges of the block, at 45°
+  int cells = 10;   ///< of the plate along X; its triangles are a few millimetres to centimetres
+  double turn = 0;  ///< rad, of the plate about Y
+  double scatter =
+      0;  ///< of inner vertices of both faces that touch, in shares of a cell, within their plane
+  double heights = 0;                  ///< m, of the plate's inner vertices, up and down at random
+  double bevel = 0;                    ///< m, of the lower edges of the block, at 45°
   double friction = 0, angle = 0.233;  ///< rad
   double dt = 0.005;
-  double scale = 1;         ///< of every length, gravity too
+  double scale = 1;  ///< of every length, gravity too
   unsigned seed = 3;
 };
 
@@ -41,20 +43,21 @@ Scenario slideScenario(const Slide& slide);
 /// The closed form after `time`, m/s.
 double slideSpeed(const Slide& slide, double time);
 
-
-/// A block on a level plate, drawn along by a spring whose other end moves at a steady speed: it sticks until the spring pulls as friction can hold,
-/// and then creeps: with ω² = k/m and v the speed, its velocity is v (1 − cos ω (t − t₀)), t₀ = µ g / (ω² v).
+/// A block on a level plate, drawn along by a spring whose other end moves at a steady speed: it sticks until
+/// the spring pulls as friction can hold, and then creeps: with ω² = k/m and v the speed, its velocity is v
+/// (1 − cos ω (t − t₀)), t₀ = µ g / (ω² v).
 struct StickSlip {
   double friction = 0.3, omega = 2 * 3.14159265358979323846 / 0.25, speed = 0.05;  ///< 1/s, m/s
 };
 TruthScene stickSlip(const StickSlip& wish, double dt);
 double stickSlipWay(const StickSlip& wish, double time);  ///< m, of the block
 
-/// A slender bar along X, clamped at its left end, ν 0, with a force of F L²/(E I) = `load` on the right one, downwards; of so many bricks
-/// through its thickness, as long as they are high; thickness L/20.
+/// A slender bar along X, clamped at its left end, ν 0, with a force of F L²/(E I) = `load` on the right one,
+/// downwards; of so many bricks through its thickness, as long as they are high; thickness L/20.
 TruthScene clampedBar(int through, double load, double stiffness);
 inline constexpr double kBarLength = 0.1;  ///< m
-/// How far the end of an inextensible elastica goes down, in shares of its length (Bisshopp and Drucker 1945): its equation integrated.
+/// How far the end of an inextensible elastica goes down, in shares of its length (Bisshopp and Drucker
+/// 1945): its equation integrated.
 double elasticaDrop(double load);
 
 }  // namespace glenoid::truth

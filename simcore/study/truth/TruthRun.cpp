@@ -46,10 +46,13 @@ Vec3 TruthRun::placeOf(int object, const Vec3& rest) const {
   const SceneObject& part = m_model->objects[static_cast<std::size_t>(object)];
   const VertexBinding at = bindToTets(*part.volume, std::span(&rest, 1))[0];
   Vec3 place = Vec3::Zero();
-  for (std::size_t k = 0; k < 4; ++k) place += at.weight[k] * state.q.segment<3>(part.layout.qOffset + 3 * at.node[k]);
+  for (std::size_t k = 0; k < 4; ++k)
+    place += at.weight[k] * state.q.segment<3>(part.layout.qOffset + 3 * at.node[k]);
   return place;
 }
 
-Error notAtRest() { return {Fault::Unusable, {}, {std::string("problem: it does not come to rest")}, "truth"}; }
+Error notAtRest() {
+  return {Fault::Unusable, {}, {std::string("problem: it does not come to rest")}, "truth"};
+}
 
 }  // namespace glenoid::truth

@@ -16,10 +16,13 @@ class TruthRun {
   /// False where a step was not finite and not taken.
   bool step();
   bool run(double seconds);
-  /// Until no coordinate is faster than this, m/s, at most so many steps. False where it does not come to rest.
+  /// Until no coordinate is faster than this, m/s, at most so many steps. False where it does not come to
+  /// rest.
   bool settle(double speed, int steps);
 
-  const ObjectLayout& layoutOf(int object) const { return m_model->objects[static_cast<std::size_t>(object)].layout; }
+  const ObjectLayout& layoutOf(int object) const {
+    return m_model->objects[static_cast<std::size_t>(object)].layout;
+  }
   const Model& model() const { return *m_model; }
   /// Where a material point of a soft object is that rested at x, m.
   Vec3 placeOf(int object, const Vec3& rest) const;

@@ -35,23 +35,30 @@ void judge(TruthVerdict& verdict) {
   verdict.order = fittedOrder(verdict.points);
   const TruthPoint& finest = verdict.points.back();
   verdict.withinBar = finest.failure.empty() && finest.found.error <= verdict.bar;
-  for (const TruthPoint& point : verdict.points) verdict.withinBar = verdict.withinBar && point.failure.empty();
+  for (const TruthPoint& point : verdict.points)
+    verdict.withinBar = verdict.withinBar && point.failure.empty();
   // Two points make no order to judge by, and errors that are round-off have none.
-  verdict.orderHeld = verdict.orderBar == 0 || verdict.points.size() < 3 || std::isnan(verdict.order) || verdict.order >= verdict.orderBar;
+  verdict.orderHeld = verdict.orderBar == 0 || verdict.points.size() < 3 || std::isnan(verdict.order) ||
+                      verdict.order >= verdict.orderBar;
 }
 
 }  // namespace
 
-const char* elementsWord(Elements elements) { return elements == Elements::Cells ? "cells" : "tetrahedra"; }
+const char* elementsWord(Elements elements) {
+  return elements == Elements::Cells ? "cells" : "tetrahedra";
+}
 
 Result<std::vector<TruthVerdict>> runTruth(const TruthOptions& options) {
   for (const std::string& id : options.only)
     if (!findTruthProblem(id)) return Error{Fault::UnknownId, {}, {id, "problem"}, "truth"};
   std::vector<TruthVerdict> verdicts;
   for (const TruthProblem& problem : truthProblems()) {
-    if (!options.only.empty() && std::find(options.only.begin(), options.only.end(), problem.id) == options.only.end()) continue;
+    if (!options.only.empty() &&
+        std::find(options.only.begin(), options.only.end(), problem.id) == options.only.end())
+      continue;
     for (const Elements kind : {Elements::Tetrahedra, Elements::Cells}) {
-      if (problem.byElements ? options.elements && *options.elements != kind : kind == Elements::Cells) continue;
+      if (problem.byElements ? options.elements && *options.elements != kind : kind == Elements::Cells)
+        continue;
       const TruthBar& bar = kind == Elements::Cells ? problem.cells : problem.tetrahedra;
       TruthVerdict& verdict = verdicts.emplace_back();
       verdict.problem = &problem;
@@ -70,20 +77,27 @@ Result<std::vector<TruthVerdict>> runTruth(const TruthOptions& options) {
   for (TruthVerdict& verdict : verdicts)
     for (TruthPoint& point : verdict.points) tasks.push_back({&verdict, &point});
   // The long ones are the finest; begun first they do not stand alone at the end.
-  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) { return a.point - a.verdict->points.data() > b.point - b.verdict->points.data(); });
+  std::stable_sort(tasks.begin(), tasks.end(), [](const Task& a, const Task& b) {
+    return a.point - a.verdict->points.data() > b.point - b.verdict->points.data();
+  });
   std::atomic<std::size_t> next = 0, done = 0;
   std::atomic<bool> cancelled = false;
   const auto work = [&](bool tells) {
     for (std::size_t i = next++; i < tasks.size() && !cancelled; i = next++) {
       const auto [verdict, point] = tasks[i];
       const double before = cpuSeconds();
-      const Result<TruthValue> found = verdict->problem->solve({verdict->elements, options.profile, options.stiffness}, point->size);
+      const Result<TruthValue> found =
+          verdict->problem->solve({verdict->elements, options.profile, options.stiffness}, point->size);
       point->seconds = cpuSeconds() - before;
       if (found) point->found = *found;
-      if (!found) point->failure = found.error().detail.empty() ? "failed" : found.error().detail;
-      else if (!std::isfinite(found->error)) point->failure = "not finite";
+      if (!found)
+        point->failure = found.error().detail.empty() ? "failed" : found.error().detail;
+      else if (!std::isfinite(found->error))
+        point->failure = "not finite";
       ++done;
-      if (tells && options.progress && !options.progress(static_cast<double>(done) / static_cast<double>(tasks.size()))) cancelled = true;
+      if (tells && options.progress &&
+          !options.progress(static_cast<double>(done) / static_cast<double>(tasks.size())))
+        cancelled = true;
     }
   };
   {
@@ -99,14 +113,19 @@ Result<std::vector<TruthVerdict>> runTruth(const TruthOptions& options) {
 StudyTable truthTable(std::span<const TruthVerdict> verdicts) {
   StudyTable table;
   table.id = "truth";
-  table.columns = {"problem", "elements", "refined", "size", "sizeUnit", "found", "known", "unit", "error", "cpuS", "failure"};
+  table.columns = {"problem", "elements", "refined", "size", "sizeUnit", "found",
+                   "known",   "unit",     "error",   "cpuS", "failure"};
   for (const TruthVerdict& verdict : verdicts)
     for (const TruthPoint& point : verdict.points) {
       const TruthProblem& p = *verdict.problem;
       const bool there = point.failure.empty();
-      table.rows.push_back({std::string(p.id), p.byElements ? StudyCell(std::string(elementsWord(verdict.elements))) : StudyCell(), std::string(p.refined), point.size,
-                            std::string(p.refinedUnit), there ? StudyCell(point.found.value) : StudyCell(), p.known, std::string(p.unit),
-                            there ? StudyCell(point.found.error) : StudyCell(), point.seconds, there ? StudyCell() : StudyCell(point.failure)});
+      table.rows.push_back(
+          {std::string(p.id),
+           p.byElements ? StudyCell(std::string(elementsWord(verdict.elements))) : StudyCell(),
+           std::string(p.refined), point.size, std::string(p.refinedUnit),
+           there ? StudyCell(point.found.value) : StudyCell(), p.known, std::string(p.unit),
+           there ? StudyCell(point.found.error) : StudyCell(), point.seconds,
+           there ? StudyCell() : StudyCell(point.failure)});
     }
   return table;
 }
@@ -119,9 +138,12 @@ StudyTable truthSummary(std::span<const TruthVerdict> verdicts) {
     const TruthPoint& finest = verdict.points.back();
     double seconds = 0;
     for (const TruthPoint& point : verdict.points) seconds += point.seconds;
-    table.rows.push_back({std::string(verdict.problem->id), verdict.problem->byElements ? StudyCell(std::string(elementsWord(verdict.elements))) : StudyCell(),
-                          finest.failure.empty() ? StudyCell(finest.found.error) : StudyCell(), verdict.bar,
-                          std::isnan(verdict.order) ? StudyCell() : StudyCell(verdict.order), verdict.orderBar > 0 ? StudyCell(verdict.orderBar) : StudyCell(), verdict.met(), seconds});
+    table.rows.push_back(
+        {std::string(verdict.problem->id),
+         verdict.problem->byElements ? StudyCell(std::string(elementsWord(verdict.elements))) : StudyCell(),
+         finest.failure.empty() ? StudyCell(finest.found.error) : StudyCell(), verdict.bar,
+         std::isnan(verdict.order) ? StudyCell() : StudyCell(verdict.order),
+         verdict.orderBar > 0 ? StudyCell(verdict.orderBar) : StudyCell(), verdict.met(), seconds});
   }
   return table;
 }
