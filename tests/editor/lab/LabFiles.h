@@ -6,7 +6,7 @@
 
 #include "editor/lab/StudyFolder.h"
 
-namespace glenoid::testing {
+namespace glenoid::labtest {
 
 /// A folder of a study that a test writes line by line.
 class LabFolder {
@@ -27,4 +27,4 @@ inline std::string settingRow(const std::string& id, const std::string& ms, cons
          R"(,"displacementOwnCellsMm":)" + error + R"(,"displacementWhereOwnCells":"block",)" + more + "}}\n";
 }
 
-}  // namespace glenoid::testing
+}  // namespace glenoid::labtest

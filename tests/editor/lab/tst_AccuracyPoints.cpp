@@ -7,7 +7,7 @@
 
 #include "tests/editor/lab/LabFiles.h"
 
-namespace glenoid::testing {
+namespace glenoid::labtest {
 namespace {
 
 constexpr AccuracyView kView{AccuracyAgainst::OwnCells, AccuracyQuantity::Displacement};
@@ -57,4 +57,4 @@ TEST(AccuracyPoints, whatFailedOrHasNoFigureIsNoPoint) {
 }
 
 }  // namespace
-}  // namespace glenoid::testing
+}  // namespace glenoid::labtest

@@ -7,7 +7,7 @@
 
 #include "tests/editor/lab/LabFiles.h"
 
-namespace glenoid::testing {
+namespace glenoid::labtest {
 namespace {
 
 TEST(StudyFolder, readsWhatHasComeAndWaitsForTheRestOfALine) {
@@ -68,4 +68,4 @@ TEST(StudyFolder, anEndBringsTheWholeDocumentOrTheReason) {
 }
 
 }  // namespace
-}  // namespace glenoid::testing
+}  // namespace glenoid::labtest

@@ -9,7 +9,7 @@
 #include "tests/editor/core/EventLoop.h"
 #include "tests/editor/lab/LabFiles.h"
 
-namespace glenoid::testing {
+namespace glenoid::labtest {
 namespace {
 
 class StudyProcessTest : public EventLoopTest {
@@ -74,4 +74,4 @@ TEST_F(StudyProcessTest, aProgramThatIsNotThereIsSaid) {
 }
 
 }  // namespace
-}  // namespace glenoid::testing
+}  // namespace glenoid::labtest
