@@ -17,7 +17,16 @@ namespace glenoid {
 
 constexpr int kFigureObject = QTextFormat::UserObject + 1, kFigureIndex = QTextFormat::UserProperty + 1;
 
-/// A figure as one large letter of a line: plots are drawn and not rasterized.
+/// Ligatures could not be searched for in a PDF; without shaping there are none.
+static QFont reportFont(double points, bool bold) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setStyleStrategy(QFont::PreferNoShaping);
+  font.setPointSizeF(points);
+  font.setBold(bold);
+  return font;
+}
+
+/// A figure with its caption as one large letter of a line, so that no page parts them: plots are drawn and not rasterized.
 class FigureObject : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)
@@ -30,24 +39,36 @@ class FigureObject : public QObject, public QTextObjectInterface {
     const QSizeF page = document->pageSize();
     if (page.width() <= 0) return {120, 82};  // not laid out for a page yet
     const double width = page.width() - 2 * document->rootFrame()->frameFormat().leftMargin() - 4;
-    return shape.isEmpty() ? QSizeF(1, 1) : shape.scaled(width, 0.42 * page.height(), Qt::KeepAspectRatio);
+    const QSizeF size = shape.isEmpty() ? QSizeF(1, 1) : shape.scaled(width, 0.36 * page.height(), Qt::KeepAspectRatio);
+    return {width, size.height() + captionHeight(document)};
   }
 
-  void drawObject(QPainter* painter, const QRectF& rect, QTextDocument*, int, const QTextFormat& format) override {
+  void drawObject(QPainter* painter, const QRectF& rect, QTextDocument* document, int, const QTextFormat& format) override {
     const ReportFigure& figure = of(format);
+    const double height = rect.height() - captionHeight(document);
     painter->save();
+    painter->setPen(Qt::black);
+    painter->setFont(reportFont(kCaption, false));
+    painter->drawText(QRectF(rect.left(), rect.top() + height, rect.width(), rect.height() - height), Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, captionOf(figure));
     painter->translate(rect.topLeft());
     if (const auto* plot = std::get_if<LogLogPlot>(&figure.content)) {
-      painter->scale(rect.width() / kPlotWidth, rect.height() / kPlotHeight);
+      painter->scale(height / kPlotHeight, height / kPlotHeight);
       draw(*painter, *plot);
     } else {
+      const QImage image = imageOf(figure);
       painter->setRenderHint(QPainter::SmoothPixmapTransform);
-      painter->drawImage(QRectF(QPointF(), rect.size()), imageOf(figure));
+      painter->drawImage(QRectF(QPointF(), QSizeF(image.size()).scaled(rect.width(), height, Qt::KeepAspectRatio)), image);
     }
     painter->restore();
   }
 
  private:
+  static constexpr double kCaption = 8.5;  // points; there is room for two lines
+
+  static double captionHeight(QTextDocument* document) {
+    const QPaintDevice* device = document->documentLayout()->paintDevice();
+    return 2.9 * kCaption * (device ? device->logicalDpiY() : 96) / 72;
+  }
   const ReportFigure& of(const QTextFormat& format) const { return *m_figures[static_cast<std::size_t>(format.intProperty(kFigureIndex))]; }
   static QImage imageOf(const ReportFigure& figure) { return QImage(QString::fromStdString(std::get<std::string>(figure.content))); }
 
@@ -70,22 +91,21 @@ class Writer {
   }
   void words(const ReportWords& words) {
     QTextBlockFormat block;
+    block.setTopMargin(4);
     block.setBottomMargin(6);
     if (words.important) block.setBackground(QColor(234, 244, 246));
     begin(block);
     m_cursor.insertText(words.text, letters(9.5, false));
   }
-  void figure(const ReportFigure& figure, int index) {
+  void figure(int index) {
     QTextBlockFormat block;
     block.setTopMargin(8);
     block.setBottomMargin(8);
-    block.setNonBreakableLines(true);  // its caption stays with it
     begin(block);
     QTextCharFormat object = letters(9, false);
     object.setObjectType(kFigureObject);
     object.setProperty(kFigureIndex, index);
     m_cursor.insertText(QString(QChar::ObjectReplacementCharacter), object);
-    m_cursor.insertText(QString(QChar::LineSeparator) + captionOf(figure), letters(8.5, false));
   }
   void table(const ReportTable& table) {
     QTextBlockFormat above;
@@ -111,14 +131,9 @@ class Writer {
  private:
   static bool isFigure(const ReportTable& table, int column) { return std::find(table.figures.begin(), table.figures.end(), column) != table.figures.end(); }
 
-  /// Ligatures could not be searched for in a PDF; without shaping there are none.
   static QTextCharFormat letters(double points, bool bold) {
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setStyleStrategy(QFont::PreferNoShaping);
-    font.setPointSizeF(points);
-    font.setBold(bold);
     QTextCharFormat format;
-    format.setFont(font);
+    format.setFont(reportFont(points, bold));
     return format;
   }
   void begin(const QTextBlockFormat& format) {
@@ -142,9 +157,7 @@ class Writer {
 
 Result<Done> writeReportPdf(const Report& report, const std::string& path) {
   QTextDocument document;
-  QFont font(QStringLiteral("DejaVu Sans"), 9);
-  font.setStyleStrategy(QFont::PreferNoShaping);
-  document.setDefaultFont(font);
+  document.setDefaultFont(reportFont(9, false));
   std::vector<const ReportFigure*> figures;
   for (const ReportBlock& block : report.blocks)
     if (const auto* figure = std::get_if<ReportFigure>(&block)) figures.push_back(figure);
@@ -155,7 +168,7 @@ Result<Done> writeReportPdf(const Report& report, const std::string& path) {
   for (const ReportBlock& block : report.blocks) {
     if (const auto* heading = std::get_if<ReportHeading>(&block)) writer.heading(*heading);
     if (const auto* words = std::get_if<ReportWords>(&block)) writer.words(*words);
-    if (const auto* figure = std::get_if<ReportFigure>(&block)) writer.figure(*figure, index++);
+    if (std::holds_alternative<ReportFigure>(block)) writer.figure(index++);
     if (const auto* table = std::get_if<ReportTable>(&block)) writer.table(*table);
   }
   QBuffer buffer;

@@ -60,7 +60,7 @@ void addLevel(QCustomPlot& plot, double at, const QString& words, bool upright) 
   text->setColor(colour);
   text->setFont(plot.font());
   text->setPadding(QMargins(4, 1, 4, 1));
-  text->setPositionAlignment(upright ? Qt::AlignLeft | Qt::AlignTop : Qt::AlignLeft | Qt::AlignBottom);
+  text->setPositionAlignment(upright ? Qt::AlignRight | Qt::AlignTop : Qt::AlignLeft | Qt::AlignBottom);
   text->position->setTypeX(upright ? QCPItemPosition::ptPlotCoords : QCPItemPosition::ptAxisRectRatio);
   text->position->setTypeY(upright ? QCPItemPosition::ptAxisRectRatio : QCPItemPosition::ptPlotCoords);
   text->position->setCoords(upright ? at : 0, upright ? 0 : at);

@@ -26,6 +26,7 @@ StageBars::StageBars(QWidget* parent) : QCustomPlot(parent) {
   m_whiskers = new QCPErrorBars(yAxis, xAxis);
   m_whiskers->setDataPlottable(m_bars);
   m_whiskers->setErrorType(QCPErrorBars::etValueError);
+  m_whiskers->setSymbolGap(0);
   yAxis->setRange(-0.6, kBars - 0.4);
   yAxis->setTickLength(0, 0);
   yAxis->setSubTicks(false);
@@ -98,7 +99,7 @@ TimesPlot::TimesPlot(QWidget* parent) : QCustomPlot(parent) {
   m_p50 = addGraph();
   m_p95 = addGraph();
   legend->setVisible(true);
-  axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
+  axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | Qt::AlignLeft);
   restyle();
   retranslate();
 }
