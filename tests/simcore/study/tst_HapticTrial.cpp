@@ -87,7 +87,7 @@ TEST(HapticTrial, atRestTheHandFeelsTheContactForceOfTheStep) {
 }
 
 // A simulation that stands still: forces fade, the hand goes on, they come back. What was never put in is not given. Without added delay: the
-// tank books forces when they are sent, and with 5 ms until they act soft tissue gives 3 mJ (simcore/haptic/README.md, Limits).
+// tank books forces when they are sent, and with 5 ms until they act bone gives 7 mJ (simcore/haptic/README.md, Limits).
 TEST(HapticTrial, makesNoEnergyWhenForcesFadeAndComeBack) {
   const HapticBars bars;
   for (const HapticSurface surface : kHapticSurfaces) {
