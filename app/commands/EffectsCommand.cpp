@@ -66,7 +66,7 @@ FieldLook apartLook(const EffectMoment& moment, double most, const std::string& 
   look.zeroIsNone = true;
   look.title = "Off without " + effect + " (mm)";
   for (int k = 0; 1e-3 * k * tick <= look.high * (1 + 1e-9); ++k)
-    look.ticks.push_back({1e-3 * k * tick, axisNumber(k * tick)});
+    look.ticks.push_back({1e-3 * k * tick, k == 0 ? std::string("0") : axisNumber(k * tick)});
   return look;
 }
 

@@ -35,9 +35,8 @@ std::string priceWords(const EffectRow& row) {
   if (!stands(t))
     return text("no time that can be told (%.3g ms, and the same code differs from itself by %.3g)",
                 t.price.median, t.noise.median);
-  return text(t.price.median < 0 ? "a step is %.2g ms faster with it" : "%.2g ms a step",
-              std::abs(t.price.median)) +
-         text(" (p95 %.2g)", t.price.p95);
+  if (t.price.median < 0) return text("a step is %.2g ms faster with it", -t.price.median);
+  return text("%.2g ms a step (p95 %.2g)", t.price.median, t.price.p95);
 }
 
 /// What differs, or nothing where it is less than what a step leaves out.
@@ -143,14 +142,16 @@ BarPlot effectsPlot(const EffectsResult& result, const std::string& scene, const
     if (row.loss && row.name != "haptics") {
       const AccuracyError &moved = row.loss->apart[AccuracyQuantity::Displacement],
                           &pressed = row.loss->apart[AccuracyQuantity::ContactForce];
-      group.notes.push_back(text("%.3g mm (", 1e3 * moved.value) + placeName(*result.base, moved.where) +
-                            ")");
+      group.notes.push_back(text("%.3g mm", 1e3 * moved.value) +
+                            (moved.where.empty() ? std::string() : " (" + placeName(*result.base, moved.where) + ")"));
       group.notes.push_back(
           text("%.3g N between parts", pressed.value) +
           (result.hands ? text(", %.3g N on the hand", row.loss->apart[AccuracyQuantity::HandForce].value)
                         : std::string()));
     }
     group.notes.push_back("auto: " + effectSentence(row.automatic).toStdString());
+    // A scene that falls apart without something takes many times as long: what it costs with it decides on the scale.
+    if (row.times) plot.most = std::max({plot.most, 1.3 * row.times->step[1].p95, 1.3 * row.times->step[2].p95});
   }
   return plot;
 }

@@ -61,7 +61,7 @@ void drawScale(QPainter& painter, const BarPlot& plot, const QRectF& area, doubl
     painter.setPen(QPen(kGrid, 1));
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     painter.setPen(kWords);
-    painter.drawText(QRectF(x - 50, area.bottom() + 4, 100, 20), Qt::AlignCenter, said(axisNumber(k * step)));
+    painter.drawText(QRectF(x - 50, area.bottom() + 4, 100, 20), Qt::AlignCenter, said(k == 0 ? std::string("0") : axisNumber(k * step)));
   }
   for (const BarPlot::Level& level : plot.levels) {
     if (level.x > most) continue;
@@ -89,10 +89,14 @@ void drawGroup(QPainter& painter, const PlotBarGroup& group, const QRectF& row, 
   for (const PlotBar& bar : group.bars) {
     const QColor colour = kBars[bar.series % std::size(kBars)];
     if (std::isfinite(bar.value)) {
-      const double right = area.left() + area.width() * std::max(0.0, bar.value) / most;
+      const double right = area.left() + area.width() * std::clamp(bar.value / most, 0.0, 1.0);
       painter.fillRect(QRectF(area.left(), y + 0.08 * each, right - area.left(), 0.84 * each), colour);
-      if (std::isfinite(bar.upTo)) {
-        const double to = area.left() + area.width() * std::max(0.0, bar.upTo) / most,
+      if (bar.value > most) {
+        painter.setPen(Qt::white);
+        painter.setFont(plotFont(11, true));
+        painter.drawText(QRectF(area.left(), y, right - area.left() - 6, each), Qt::AlignRight | Qt::AlignVCenter, said(axisNumber(std::round(bar.value))));
+      } else if (std::isfinite(bar.upTo)) {
+        const double to = area.left() + area.width() * std::clamp(bar.upTo / most, 0.0, 1.0),
                      middle = y + 0.5 * each;
         painter.setPen(QPen(kWords, 1));
         painter.drawLine(QPointF(right, middle), QPointF(to, middle));
@@ -126,8 +130,8 @@ void draw(QPainter& painter, const BarPlot& plot) {
   painter.fillRect(QRectF(0, 0, kPlotWidth, kPlotHeight), Qt::white);
   double y = 4;
   drawHeads(painter, plot, y);
-  const QRectF area(150, y + 36, 470, kPlotHeight - y - 36 - 60);
-  const double most = 1.04 * mostOf(plot);
+  const QRectF area(172, y + 36, 448, kPlotHeight - y - 36 - 60);
+  const double most = plot.most > 0 ? plot.most : 1.04 * mostOf(plot);
   drawScale(painter, plot, area, most);
   const double each = area.height() / std::max<double>(1, static_cast<double>(plot.groups.size()));
   for (std::size_t k = 0; k < plot.groups.size(); ++k)

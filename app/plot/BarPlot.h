@@ -27,6 +27,7 @@ struct BarPlot {
   std::string title;
   std::vector<std::string> subtitle;
   std::string xTitle, notesTitle;
+  double most = 0;                  ///< where the axis ends; a longer bar is cut there and says its value; 0: at the longest
   std::vector<std::string> series;  ///< for the legend
   std::vector<PlotBarGroup> groups;
   struct Level {

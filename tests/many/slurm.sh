@@ -35,7 +35,7 @@ munged --foreground --force --key-file="$folder/munge/key" --socket="$folder/mun
   --seed-file="$folder/munge/seed" >/dev/null 2>&1 &
 daemons+=($!)
 
-cores=$(nproc)
+cores=$(nproc --all)  # OMP_NUM_THREADS would hold it at 1
 cat >"$folder/slurm.conf" <<CONF
 ClusterName=glenoid
 SlurmctldHost=localhost(127.0.0.1)
