@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/StudyTruthFiles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -23,6 +24,8 @@ using truth::TruthProblem;
 using truth::TruthVerdict;
 
 namespace {
+
+constexpr double kStiffestSupport = 1e15;  ///< N/m per m², of the scenario's schema
 
 std::string leafOf(const std::string& folder, const std::string& leaf) {
   return (std::filesystem::path(folder) / leaf).string();
@@ -192,6 +195,9 @@ Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVe
         ". " + problem.source + ".";
     scene.scenario.profile = options.profile;
     if (problem.byElements) scene.scenario.elements = verdict.elements;
+    // Steel is held harder than a file may say; what it may is still hundreds of times as hard as the cells.
+    for (Support& support : scene.scenario.supports)
+      support.stiffnessPerArea = std::min(support.stiffnessPerArea, kStiffestSupport);
     scene.scenario.joint = std::string(problem.id) + ".joint";
     if (const auto saved = saveJoint(scene.joint, leafOf(own, scene.scenario.joint)); !saved) return saved;
     if (const auto saved =
