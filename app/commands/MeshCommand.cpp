@@ -11,6 +11,7 @@
 #include "simcore/file/SurfaceWrite.h"
 #include "simcore/import/ImportSurfaces.h"
 #include "simcore/import/LengthUnit.h"
+#include "simcore/repair/GuessUnit.h"
 
 namespace glenoid {
 namespace {
@@ -46,8 +47,7 @@ Result<Done> info(const Wishes& wishes) {
   for (const std::string& path : wishes.files) {
     const auto file = importSurfaces(path, limitsOf(wishes));
     if (!file) return file.error();
-    std::vector<SurfaceDiagnosis> diagnoses;
-    for (const ImportedSurface& surface : file->surfaces) diagnoses.push_back(lookAt(*file, surface, path));
+    const std::vector<SurfaceDiagnosis> diagnoses = diagnoseFile(*file, stemOf(path));
     if (wishes.json)
       all.append(meshInfoJson(path, *file, diagnoses));
     else

@@ -57,6 +57,12 @@ std::string surfaceText(const ImportedSurface& surface, const SurfaceDiagnosis& 
     if (finding.kind == FindingKind::Unit && finding.severity == FindingSeverity::Note) continue;  // said above
     std::string what = text("%ld", finding.count);
     if (finding.kind == FindingKind::Holes) what += text(" (longest %.3g mm around)", finding.measure * mm);
+    if (finding.kind == FindingKind::Unit) {
+      const double size = d.box.isEmpty() ? 0 : d.box.sizes().maxCoeff(), metres = size * d.unit.metres;
+      if (std::string_view(d.unit.reason) == "file") what = text("the file says %s, which makes it %.3g %s long", unitName(d.unit.metres).c_str(), metres < 1 ? 1e3 * metres : metres, metres < 1 ? "mm" : "m") +
+                                                            (finding.measure > 0 ? text("; in %s it would be %.3g mm", unitName(finding.measure).c_str(), 1e3 * size * finding.measure) : std::string());
+      else what = "no unit fits well: give it with --unit";
+    }
     if (finding.kind == FindingKind::Thin) what += text(" (%.3g mm in the middle)", finding.measure * mm);
     out += text("    %-8s %-22s %-30s ", findingSeverityName(finding.severity), findingName(finding.kind), what.c_str()) + repairsText(finding, d.unit.metres) + "\n";
   }

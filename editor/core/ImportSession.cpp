@@ -7,6 +7,7 @@
 
 #include "editor/core/AuthorEdits.h"
 #include "editor/core/Sentences.h"
+#include "simcore/repair/GuessUnit.h"
 
 namespace glenoid {
 namespace {
@@ -107,12 +108,12 @@ void ImportSession::read(const QString& file, long key) {
     own.cancelled = [&stop] { return stop.load(); };
     auto read = std::make_shared<Result<ImportedFile>>(importSurfaces(file.toStdString(), own));
     auto found = std::make_shared<std::vector<SurfaceDiagnosis>>();
-    if (*read)
-      for (const ImportedSurface& surface : (*read)->surfaces) {
-        DiagnosisOptions options = optionsFor(file, surface.name, (*read)->metresPerUnit, thinLimit);
-        options.cancelled = own.cancelled;
-        found->push_back(diagnose(surface.mesh, options));
-      }
+    if (*read) {
+      DiagnosisOptions options;
+      options.thinLimit = thinLimit;
+      options.cancelled = own.cancelled;
+      *found = diagnoseFile(**read, QFileInfo(file).completeBaseName().toStdString(), options);
+    }
     return [key, read, found](ImportSession& session) { session.took(key, std::move(*read), std::move(*found)); };
   });
 }

@@ -91,7 +91,7 @@ class Diagnosing {
       mark(finding, std::move(upper));
       one = lowerBox;
     }
-    const UnitGuess guess = guessUnit(one, m_options.name);
+    const UnitGuess guess = m_options.guess ? *m_options.guess : guessUnit(one, m_options.name);
     m_out.unit = guess;
     if (m_options.metresPerUnit) {
       const double metres = *m_options.metresPerUnit, size = one.sizes().maxCoeff() * metres;

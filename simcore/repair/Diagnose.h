@@ -11,6 +11,7 @@ namespace glenoid {
 struct DiagnosisOptions {
   std::string name;                      ///< of the surface or its file: hints of anatomy and side
   std::optional<double> metresPerUnit;   ///< where the file or the user said it
+  std::optional<UnitGuess> guess;        ///< in place of one from this surface alone
   double thinLimit = 1e-3;               ///< m
   bool selfIntersections = true;         ///< the dearest part
   std::function<bool()> cancelled;       ///< asked between the parts; the rest is then left out
@@ -46,8 +47,8 @@ std::vector<RepairStep> repairsFor(const SurfaceDiagnosis& diagnosis, const std:
 /// Those of all findings whose repair is harmless; what `--auto` takes.
 std::vector<RepairStep> automaticRepairs(const SurfaceDiagnosis& diagnosis);
 
-/// Metres per unit from the size, the place and the name. The sizes are those of bones, muscles and ligaments of an
-/// adult's shoulder, 10 mm to 400 mm; see resources of the guess in the source.
+/// Metres per unit of one surface from its size, its place and its name: sizes of bones, muscles and ligaments of adults, whole
+/// or parts of them. Surfaces of one file together: GuessUnit.h.
 UnitGuess guessUnit(const Box3& box, const std::string& name);
 
 }  // namespace glenoid

@@ -5,6 +5,7 @@
 
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/MeshHealth.h"
+#include "simcore/repair/GuessUnit.h"
 #include "tests/simcore/mesh/Shapes.h"
 
 namespace glenoid {
@@ -168,6 +169,50 @@ TEST(Diagnose, twoSidesOfABodyAreSeen) {
   EXPECT_EQ(d.side.side, BodySide::Both);
   // The same twice is no mirror image.
   EXPECT_FALSE(diagnose(joined(right, shifted(right, {320, 0, 0}))).find(FindingKind::TwoSides));
+}
+
+TEST(Diagnose, theUnitOfPartsAndOfSmallBones) {
+  const auto of = [](const char* name, double extent) { return guessUnit(Box3(Vec3::Zero(), Vec3(0.3 * extent, extent, 0.4 * extent)), name); };
+  struct Row {
+    const char* name;
+    double metres;  ///< true extent
+  };
+  // Means of adults: textbooks; what scans hold of long bones is often an end of some 60 to 120 mm.
+  for (const Row& row : {Row{"distal femur", 0.09}, Row{"tibial plateau", 0.075}, Row{"femoral cartilage", 0.075}, Row{"tibial cartilage medial", 0.04}, Row{"proximal humerus", 0.12},
+                         Row{"scaphoid", 0.027}, Row{"Lunate_L", 0.02}, Row{"capitate", 0.026}, Row{"third metacarpal", 0.065}, Row{"talus right", 0.056}, Row{"patella", 0.043},
+                         Row{"meniscus lateral", 0.035}, Row{"ACL", 0.036}, Row{"humerus", 0.31}, Row{"femur", 0.44}, Row{"biceps long head", 0.3}, Row{"articular capsule", 0.05}})
+    for (const double unit : {1e-3, 1e-2, 1.0, 1e-6}) {
+      const UnitGuess guess = of(row.name, row.metres / unit);
+      EXPECT_EQ(guess.metres, unit) << row.name;
+      if (unit > 1e-6) EXPECT_GT(guess.confidence, 0.6) << row.name << " in units of " << unit << " m";
+    }
+  EXPECT_EQ(of("humerus", 3e5).metres, 1e-6);
+  EXPECT_STREQ(of("humerus", 3e5).reason, "name");
+  EXPECT_EQ(of("humerus", 1.02).metres, 0.3048);
+  EXPECT_STREQ(of("humerus", 3e-4).reason, "unclear") << "kilometres are no unit of these";
+}
+
+TEST(Diagnose, surfacesOfOneFileHaveOneUnit) {
+  // By themselves a femur's ball in units of 4 cm or so would be centimetres, its shaft inches.
+  const auto box = [](double extent) { return Box3(Vec3::Zero(), Vec3(extent, extent, extent)); };
+  const std::vector<NamedBox> two{{box(40), "femur"}, {box(20), "tibia"}};
+  EXPECT_NE(guessUnit(two[0].box, "").metres, 0);
+  EXPECT_EQ(guessUnit(two).metres, 1e-2);
+  // Eight carpals and a forearm; the forearm alone would do, the carpals alone too.
+  std::vector<NamedBox> hand{{box(240), "radius"}, {box(260), "ulna"}};
+  for (const char* name : {"scaphoid", "lunate", "triquetrum", "pisiform", "trapezium", "trapezoid", "capitate", "hamate"}) hand.push_back({box(20), name});
+  EXPECT_EQ(guessUnit(hand).metres, 1e-3);
+  EXPECT_GT(guessUnit(hand).confidence, 0.9);
+  // Nameless pieces: large ones tell what small ones do not.
+  EXPECT_EQ(guessUnit(std::vector<NamedBox>{{box(0.31), ""}, {box(0.02), ""}, {box(0.15), ""}}).metres, 1);
+  // One that fits nothing does not outvote the rest.
+  EXPECT_EQ(guessUnit(std::vector<NamedBox>{{box(310), "humerus"}, {box(155), "scapula"}, {box(1e9), "scapula"}}).metres, 1e-3);
+  ImportedFile file;
+  file.surfaces = {{"femur", shifted(sphere(200), {0, 0, 0})}, {"", sphere(3)}};
+  const auto found = diagnoseFile(file, "knee");
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].unit.metres, 1e-3);
+  EXPECT_EQ(found[1].unit.metres, 1e-3);
 }
 
 TEST(Diagnose, theUnitIsGuessedFromSizePlaceAndName) {
