@@ -81,6 +81,12 @@ void LiveWatch::judgeMarks(const StepReport& step, const State& state, bool onPa
   }
 }
 
+void LiveWatch::add(const Notice& notice) {
+  const std::lock_guard lock(m_mutex);
+  m_missed.push_back(notice);
+  tell();
+}
+
 void LiveWatch::tell() {
   std::vector<Notice> all = m_before;
   for (const auto* list : {&m_missed, &m_found}) all.insert(all.end(), list->begin(), list->end());

@@ -24,6 +24,7 @@ class LiveWatch final : public StepWatch {
   ~LiveWatch() override;
 
   void look(const StepReport& step, const State& state, bool onPath) override;
+  void add(const Notice& notice) override;
   std::shared_ptr<const std::vector<Notice>> notices() const override;
   RestState rest() const override { return m_rest; }
 

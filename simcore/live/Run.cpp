@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 #include "simcore/live/BuildId.h"
 #include "simcore/live/Pacer.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/RunGather.h"
 #include "simcore/live/RunWatch.h"
+#include "simcore/live/TimeUp.h"
 
 namespace glenoid {
 namespace {
@@ -34,19 +34,6 @@ Result<Done> checkInput(const Scenario& scenario, const Recording& input) {
       return Error{Fault::Unusable, {"", "/tracks", track.tool, {}}, {"a track without keys"}, "recording's track"};
   }
   return Done{};
-}
-
-/// Where a run stood when its time was up: the pair with most contacts, and how many there were of all pairs.
-Notice timeUp(const Model& model, const StepReport& step, const State& state, double limit) {
-  std::map<std::pair<int, int>, int> rows;
-  for (const ContactView& contact : step.contactViews) ++rows[std::minmax(contact.objectA, contact.objectB)];
-  const auto most = std::max_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  Notice notice{NoticeKind::TimeUp, "", "", static_cast<double>(step.contacts), limit, state.time, state.step, {}};
-  if (most != rows.end()) {
-    notice.subject = model.objects[static_cast<std::size_t>(most->first.first)].id;
-    notice.other = model.objects[static_cast<std::size_t>(most->first.second)].id;
-  }
-  return notice;
 }
 
 Recording recordingOf(const Model& model, const RunOptions& options, const RunReport& report) {

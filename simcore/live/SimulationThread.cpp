@@ -10,6 +10,7 @@
 #include "simcore/live/CarryState.h"
 #include "simcore/live/StepClock.h"
 #include "simcore/live/RateWindow.h"
+#include "simcore/live/TimeUp.h"
 
 namespace glenoid {
 namespace {
@@ -61,10 +62,13 @@ struct SimulationThread::Run {
   RateWindow window;
   bool playing = false, quit = false, rotationsWanted = false;
   long rejectedSteps = 0;
+  double patience;
+  double slowSince = 0;  ///< s: when the steps began that slowSteps counts
+  long slowSteps = 0;
   std::thread thread;
 
-  Run(TripleBuffer<Snapshot>& s, TripleBuffer<std::vector<HandWish>>& w, StepMaker m, WatchMaker watches)
-      : snapshots(s), wishes(w), maker(std::move(m)), watchMaker(std::move(watches)), thread([this] { loop(); }) {}
+  Run(TripleBuffer<Snapshot>& s, TripleBuffer<std::vector<HandWish>>& w, StepMaker m, WatchMaker watches, double patienceGiven)
+      : snapshots(s), wishes(w), maker(std::move(m)), watchMaker(std::move(watches)), patience(patienceGiven), thread([this] { loop(); }) {}
 
   void send(Command command) {
     {
@@ -95,7 +99,7 @@ struct SimulationThread::Run {
       }
       if (!runs() || quit) continue;
       // Commands that come in between wait for at most this bounded number of steps.
-      for (int due = clock.stepsDue(seconds(Clock::now())); due > 0; --due) stepAndPublish();
+      for (int due = clock.stepsDue(seconds(Clock::now())); due > 0 && playing; --due) stepAndPublish();
     }
   }
 
@@ -161,6 +165,8 @@ struct SimulationThread::Run {
     if (!model) return;
     clock.restart(seconds(Clock::now()), model->scenario.dt);
     window.restart(seconds(Clock::now()));
+    slowSince = seconds(Clock::now());
+    slowSteps = 0;
   }
 
   void takeStep() {
@@ -172,6 +178,19 @@ struct SimulationThread::Run {
     if (!report.taken) ++rejectedSteps;
     window.add(end, end - begin);
     if (watch) watch->look(report, state, hands.onPath());
+    stopWhereNobodyCanWait(end);
+  }
+
+  /// Contacts that run away, say: the window goes on, the run does not.
+  void stopWhereNobodyCanWait(double now) {
+    const double took = now - slowSince;
+    if (++slowSteps >= SimulationThread::kFewSteps) {
+      slowSince = now;
+      slowSteps = 0;
+    }
+    if (took <= patience || !playing) return;
+    playing = false;
+    if (watch) watch->add(timeUp(*model, report, state, patience));
   }
 
   void stepAndPublish() {
@@ -204,8 +223,8 @@ struct SimulationThread::Run {
   }
 };
 
-SimulationThread::SimulationThread(StepMaker maker, WatchMaker watchMaker)
-    : m_run(std::make_unique<Run>(m_snapshots, m_hands, std::move(maker), std::move(watchMaker))) {}
+SimulationThread::SimulationThread(StepMaker maker, WatchMaker watchMaker, double patience)
+    : m_run(std::make_unique<Run>(m_snapshots, m_hands, std::move(maker), std::move(watchMaker), patience)) {}
 
 SimulationThread::~SimulationThread() {
   m_run->send(Order::Quit);

@@ -49,8 +49,12 @@ StepFunction makeStepperStep(std::shared_ptr<const Model> model, const StepperOp
 /// Threads: commands from any thread; setHands from one thread; takeSnapshot and snapshot from one thread.
 class SimulationThread {
  public:
+  /// A run that takes so long (s of the clock) for fewer than kFewSteps steps is paused and says so: nobody can work with it.
+  static constexpr double kPatience = 60;
+  static constexpr long kFewSteps = 20;
+
   /// Without a WatchMaker nothing is said about the run.
-  explicit SimulationThread(StepMaker maker, WatchMaker watchMaker = {});
+  explicit SimulationThread(StepMaker maker, WatchMaker watchMaker = {}, double patience = kPatience);
   ~SimulationThread();
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;

@@ -30,6 +30,9 @@ class StepWatch {
   /// From any thread.
   virtual std::shared_ptr<const std::vector<Notice>> notices() const = 0;
 
+  /// Something that whoever steps found by itself; notices() has it from then on. In the thread that steps.
+  virtual void add(const Notice& notice) = 0;
+
   /// In the thread that steps.
   virtual RestState rest() const { return {}; }
 };

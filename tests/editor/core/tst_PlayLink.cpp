@@ -50,6 +50,7 @@ struct FakeWatch : StepWatch {
     more.push_back({NoticeKind::TornAway, "block", "", 3, 0.1, state.time, state.step, {}});
     list = std::make_shared<const std::vector<Notice>>(more);
   }
+  void add(const Notice&) override {}
   std::shared_ptr<const std::vector<Notice>> notices() const override { return list; }
   std::shared_ptr<const std::vector<Notice>> list =
       std::make_shared<const std::vector<Notice>>(std::vector<Notice>{{NoticeKind::UnusedSetting, "7", "", 0, 0, 0, 0, {UnusedSetting::Why::Seed, "7"}}});

@@ -70,6 +70,41 @@ TEST(SimulationThread, showsNothingBeforeThereIsAModel) {
   EXPECT_FALSE(simulation.snapshot().playing);
 }
 
+/// Keeps what it is told.
+class Listener final : public StepWatch {
+ public:
+  void look(const StepReport&, const State&, bool) override {}
+  void add(const Notice& notice) override { m_notices = std::make_shared<const std::vector<Notice>>(std::vector<Notice>{notice}); }
+  std::shared_ptr<const std::vector<Notice>> notices() const override { return m_notices; }
+
+ private:
+  std::shared_ptr<const std::vector<Notice>> m_notices = std::make_shared<const std::vector<Notice>>();
+};
+
+TEST(SimulationThread, aRunThatNobodyCanWaitForIsPausedAndSaysSo) {
+  const WatchMaker listen = [](std::shared_ptr<const Model>, std::shared_ptr<const Recording>, std::function<void()>) { return std::make_unique<Listener>(); };
+  SimulationThread slow(countingSteps(30ms), listen, 0.2);
+  slow.setModel(smallModel(), {}, false);
+  slow.play();
+  ASSERT_TRUE(until(slow, [](const Snapshot& s) { return s.notices && !s.notices->empty() && !s.playing; }));
+  const Notice& notice = slow.snapshot().notices->front();
+  EXPECT_EQ(notice.kind, NoticeKind::TimeUp);
+  EXPECT_EQ(notice.limit, 0.2);
+  EXPECT_EQ(notice.step, slow.snapshot().step) << "what is shown is where it stopped";
+  EXPECT_LT(notice.step, SimulationThread::kFewSteps);
+  // Whoever wants it all the same may go on.
+  const long stopped = slow.snapshot().step;
+  slow.play();
+  EXPECT_TRUE(until(slow, [&](const Snapshot& s) { return s.step > stopped; }));
+  // Slow, but with steps enough: it goes on.
+  SimulationThread bearable(countingSteps(3ms), listen, 0.5);
+  bearable.setModel(smallModel(), {}, false);
+  bearable.play();
+  ASSERT_TRUE(until(bearable, [](const Snapshot& s) { return s.step > 60; }));
+  EXPECT_TRUE(bearable.snapshot().playing);
+  EXPECT_TRUE(bearable.snapshot().notices->empty());
+}
+
 TEST(SimulationThread, aNewModelIsShownAtItsStartAndRests) {
   SimulationThread simulation(countingSteps());
   simulation.setModel(smallModel("a", 5), {}, true);
