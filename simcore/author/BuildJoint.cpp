@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "simcore/author/MakeCollision.h"
+#include "simcore/author/MirrorJoint.h"
 #include "simcore/author/NearCouplings.h"
 #include "simcore/author/OwnFrame.h"
 #include "simcore/embed/BandShape.h"
@@ -175,7 +176,7 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
                                part.volume ? static_cast<int>(part.volume->tets.size()) : 0,
                                countSelfIntersections(*part.collision)});
   }
-  return joint;
+  return recipe.mirrored ? mirroredJoint(joint) : joint;
 }
 
 }  // namespace glenoid

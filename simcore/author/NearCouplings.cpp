@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "simcore/coupling/Springs.h"
+#include "simcore/mesh/TrianglePatch.h"
 #include "simcore/scene/RegionNear.h"
 #include "simcore/spatial/TriangleTree.h"
 
@@ -21,10 +22,18 @@ Vec3 centreOf(const TriMesh& mesh, int triangle) {
   return centre;
 }
 
-std::vector<int> trianglesOf(const TriMesh& surface, const TriMesh& other, const NearCoupling& near) {
+/// `limit`: the region that they must lie in, or null.
+std::vector<int> trianglesOf(const TriMesh& surface, const TriMesh& other, const NearCoupling& near, const Region* limit) {
   std::vector<int> triangles = trianglesNear(surface, other, near.within);
   std::erase_if(triangles, [&](int triangle) { return !inBall(near, centreOf(surface, triangle)); });
-  return triangles;
+  return limit ? common(triangles, trianglesOf(*limit)) : triangles;
+}
+
+/// The region that a coupling names beside its distance; null where it names none.
+template <class AnyPart>
+const Region* limitOf(const AnyPart& part, const NearCoupling& near) {
+  const auto found = std::find_if(part.regions.begin(), part.regions.end(), [&](const Region& region) { return region.id == near.coupling.regionA; });
+  return found == part.regions.end() ? nullptr : &*found;
 }
 
 std::string millimetres(double metres) {
@@ -34,13 +43,13 @@ std::string millimetres(double metres) {
 }
 
 /// “lower” (nearest 7.4 mm, within 1 mm): what an author needs to see which figure is wrong.
-std::string nothingNear(const TriMesh& surface, const TriMesh& other, const NearCoupling& near) {
+std::string nothingNear(const TriMesh& surface, const TriMesh& other, const NearCoupling& near, const Region* limit) {
   double nearest = HUGE_VAL;
   const TriangleTree tree(other);
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+  for (const int t : limit ? trianglesOf(*limit) : inverted(surface, {}))
     if (const Vec3 centre = centreOf(surface, t); inBall(near, centre)) nearest = std::min(nearest, tree.closest(centre).distance);
   const std::string name = "“" + near.coupling.id + "” of " + near.coupling.partA + " to " + near.coupling.partB;
-  if (nearest == HUGE_VAL) return name + " (nothing of " + near.coupling.partA + " lies in its ball)";
+  if (nearest == HUGE_VAL) return name + " (nothing of " + near.coupling.partA + " lies in its ball" + (limit ? " and its region)" : ")");
   return name + " (nearest " + millimetres(nearest) + ", within " + millimetres(near.within) + ")";
 }
 
@@ -53,8 +62,10 @@ Result<Done> checkNearCouplings(std::span<const PartRecipe> parts, std::span<con
     const auto a = find(near.coupling.partA), b = find(near.coupling.partB);
     for (const auto& [found, id] : {std::pair{a, near.coupling.partA}, {b, near.coupling.partB}})
       if (found == parts.end()) return Error{Fault::UnknownId, {{}, {}, near.coupling.id, {}}, {id, "part"}, "a coupling by distance"};
-    if (!a->visual || !b->visual || !trianglesOf(*a->visual, *b->visual, near).empty()) continue;
-    lost += (lost.empty() ? "" : "; ") + nothingNear(*a->visual, *b->visual, near);
+    const Region* limit = limitOf(*a, near);
+    if (!near.coupling.regionA.empty() && !limit) return Error{Fault::UnknownId, {{}, {}, near.coupling.id, {}}, {near.coupling.regionA, "region"}, "a coupling by distance"};
+    if (!a->visual || !b->visual || !trianglesOf(*a->visual, *b->visual, near, limit).empty()) continue;
+    lost += (lost.empty() ? "" : "; ") + nothingNear(*a->visual, *b->visual, near, limit);
   }
   if (!lost.empty()) return Error{Fault::NothingNear, {}, {lost}, "a coupling by distance"};
   return Done{};
@@ -73,8 +84,10 @@ Result<Done> addNearCoupling(Joint& joint, const NearCoupling& near) {
 
   const TriMesh& surface = *part.visual;
   const TriMesh& other = *joint.parts[b].visual;
-  std::vector<int> triangles = trianglesOf(surface, other, near);
-  if (triangles.empty()) return fail(Fault::NothingNear, {nothingNear(surface, other, near)});
+  const Region* limit = limitOf(part, near);
+  if (!wish.regionA.empty() && !limit) return fail(Fault::UnknownId, {wish.regionA, "region"});
+  std::vector<int> triangles = trianglesOf(surface, other, near, limit);
+  if (triangles.empty()) return fail(Fault::NothingNear, {nothingNear(surface, other, near, limit)});
   Region region;
   region.id = wish.id;
   region.kind = "footprint";

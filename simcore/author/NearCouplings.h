@@ -8,7 +8,7 @@
 namespace glenoid {
 
 /// Asks, before anything is built, whether each coupling finds surface of its part A within its distance of part B (and in its
-/// ball). Fails with NothingNear, which names all that do not and how far apart their parts are (argument: what), with UnknownId
+/// ball and its region). Fails with NothingNear, which names all that do not and how far apart their parts are (argument: what), with UnknownId
 /// for a part that is not there.
 Result<Done> checkNearCouplings(std::span<const PartRecipe> parts, std::span<const NearCoupling> couplings);
 

@@ -81,6 +81,7 @@ Result<StaticPart> StaticPart::make(const Joint& joint, int index, std::shared_p
   const Part& part = joint.parts[index];
   const auto holds = holdsOf(joint, index, mesh);
   if (!holds) return holds.error();
+  if (holds->empty()) return Error{Fault::Unusable, {"", "", part.id, {}}, {"no coupling holds the part, so nothing can press a dent into it; bond it to another part first"}, "nothing holds the part"};
   const auto elements = elementsOf(joint, part, *mesh, filling);
   if (!elements) return elements.error();
   std::vector<Eigen::Triplet<double>> entries;
@@ -100,7 +101,6 @@ Result<StaticPart> StaticPart::make(const Joint& joint, int index, std::shared_p
       for (int j = 0; j < 4; ++j)
         if (const double k = hold.stiffness * hold.at.weight[i] * hold.at.weight[j]; k != 0)
           add(hold.at.node[i], hold.at.node[j], k * Mat3::Identity());
-  if (holds->empty()) return Error{Fault::Unusable, {"", "", part.id, {}}, {"couplings"}, "nothing holds the part"};
   auto inside = std::make_unique<Inside>();
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(mesh->nodes.size());
   inside->K.resize(size, size);

@@ -100,6 +100,7 @@ void checkIslands(Work& work) {
   if (work.scenario) {
     fixed.insert(work.scenario->fixedParts.begin(), work.scenario->fixedParts.end());
     for (const Hold& hold : work.scenario->holds) held.insert(hold.part);
+    for (const Support& support : work.scenario->supports) held.insert(support.part);
   }
   for (std::size_t i = 0; i < count; ++i) {
     const Part& part = joint.parts[i];

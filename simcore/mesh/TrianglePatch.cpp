@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/mesh/TrianglePatch.h"
 
+#include <iterator>
+#include <algorithm>
 namespace glenoid {
 namespace {
 
@@ -69,6 +71,24 @@ std::vector<int> inverted(const TriMesh& mesh, const std::vector<int>& set) {
   std::vector<char> flags = flagsOf(mesh, set);
   for (char& flag : flags) flag = !flag;
   return listOf(flags);
+}
+
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> out;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+std::vector<int> common(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> out;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
+}
+
+std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> out;
+  std::set_difference(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(out));
+  return out;
 }
 
 double areaOf(const TriMesh& mesh, const std::vector<int>& set) {

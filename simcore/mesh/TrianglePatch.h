@@ -21,6 +21,11 @@ std::vector<int> connected(const TriMesh& mesh, const std::vector<int>& set);
 /// Every triangle that is not in the set.
 std::vector<int> inverted(const TriMesh& mesh, const std::vector<int>& set);
 
+/// Two sets as one; what is in both; the first less the second. No mesh is asked.
+std::vector<int> united(const std::vector<int>& a, const std::vector<int>& b);
+std::vector<int> common(const std::vector<int>& a, const std::vector<int>& b);
+std::vector<int> without(const std::vector<int>& a, const std::vector<int>& b);
+
 /// Area of the set, m².
 double areaOf(const TriMesh& mesh, const std::vector<int>& set);
 

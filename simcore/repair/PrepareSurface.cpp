@@ -33,7 +33,10 @@ Result<PreparedSurface> prepareSurface(const ImportedFile& file, const SurfaceSo
   if (!source.metresPerUnit && !file.metresPerUnit) return unclear("the file names no unit; source.unit must");
   out.metresPerUnit = source.metresPerUnit.value_or(file.metresPerUnit.value_or(1));
   const bool anatomical = file.axes == FileAxes::Lps || file.axes == FileAxes::Ras;
-  out.mesh = placed((*surface)->mesh, out.metresPerUnit, source.axes.value_or(anatomical ? proposedAxes(file.axes) : AxisMap{}), source.translate_W);
+  out.mesh = placed((*surface)->mesh, out.metresPerUnit, source.axes.value_or(anatomical ? proposedAxes(file.axes) : AxisMap{}),
+                    source.turn_W.isIdentity(0) ? source.translate_W : Vec3(Vec3::Zero()));
+  if (!source.turn_W.isIdentity(0))
+    for (Vec3& p : out.mesh.vertices) p = source.turn_W * (p - source.about_W) + source.about_W + source.translate_W;
   if (source.shell >= 0) {
     std::vector<TriMesh> shells = shellsOf(out.mesh);
     if (source.shell >= static_cast<int>(shells.size()))

@@ -8,12 +8,14 @@
 namespace glenoid {
 
 /// How a surface of somebody else's file becomes one of a joint: everything an author decides on import, as data that
-/// can be kept and repeated. Taken in this order: surface, unit, axes, shift, shell, repairs, thickness, simplification.
+/// can be kept and repeated. Taken in this order: surface, unit, axes, turn, shift, shell, repairs, thickness, simplification.
 /// Lengths in repairs are therefore metres in the joint's frame W.
 struct SurfaceSource {
   std::optional<double> metresPerUnit;  ///< nothing: as the file says
   std::optional<AxisMap> axes;          ///< of the file that become X, Y, Z of W; nothing: as its LPS or RAS asks for, else as they are
-  Vec3 translate_W = Vec3::Zero();      ///< m, after the axes
+  Mat3 turn_W = Mat3::Identity();       ///< after the axes, about `about_W`: a rotation and, where it is one, a scale
+  Vec3 about_W = Vec3::Zero();          ///< m
+  Vec3 translate_W = Vec3::Zero();      ///< m, after the turn
   std::string surface;                  ///< name in the file; may be empty where there is one
   int shell = -1;                       ///< by area from 0; −1: all of them
   std::vector<RepairStep> repairs;

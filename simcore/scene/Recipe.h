@@ -33,7 +33,7 @@ struct PartRecipe {
 
 /// A coupling whose region is found: what of part A's visual surface lies within a distance of part B's, or inside it.
 struct NearCoupling {
-  Coupling coupling;     ///< regionA is made: it gets the coupling's id
+  Coupling coupling;     ///< a region is made and gets the coupling's id; regionA: only what lies in this one, empty: all
   double within = 0;     ///< m, ≥ 0
   Vec3 centre_W = Vec3::Zero();  ///< with `radius`: only triangles whose centre lies in this ball
   double radius = 0;     ///< m; 0: no such limit
@@ -61,6 +61,7 @@ struct JointRecipe {
   Provenance provenance;
   double clearance = 0;  ///< m; > 0: separateCollision before the cells are cut
   int separationIterations = 200;
+  bool mirrored = false;  ///< the whole is built as the recipe says and then becomes the joint of the other side (author/MirrorJoint.h)
   std::optional<StartWishes> start;  ///< absent: parts start at rest, whatever overlaps
 };
 

@@ -5,6 +5,7 @@
 
 #include "simcore/file/Schema.h"
 #include "simcore/scene/JointCheck.h"
+#include "simcore/scene/RecipeRegions.h"
 #include "simcore/scene/SceneJson.h"
 #include "simcore/scene/SceneWords.h"
 
@@ -71,6 +72,7 @@ JointRecipe toRecipe(const JsonValue& json) {
   recipe.clearance = json["clearance"].number(recipe.clearance);
   recipe.separationIterations =
       static_cast<int>(json["separationIterations"].integer(recipe.separationIterations));
+  recipe.mirrored = json["mirror"].boolean(false);
   if (const JsonValue* start = json.find("start")) recipe.start = toStart(*start);
   return recipe;
 }
@@ -92,9 +94,10 @@ Joint withoutMeshes(const JointRecipe& recipe, const JsonValue& json) {
     part.landmarks = from.landmarks;
     joint.parts.push_back(std::move(part));
   }
-  for (Coupling& coupling : joint.couplings) {  // one by distance is judged as if its region were there
-    if (!coupling.regionA.empty()) continue;
-    coupling.regionA = coupling.id;
+  for (std::size_t i = 0; i < joint.couplings.size(); ++i) {  // one by distance is judged as if its region were there
+    Coupling& coupling = joint.couplings[i];
+    if (!json["couplings"][i].find("within")) continue;
+    if (coupling.regionA.empty()) coupling.regionA = coupling.id;
     const int part = findPart(joint, coupling.partA);
     if (part >= 0) joint.parts[part].regions.push_back({coupling.id, {}, {}, SurfaceKind::Visual, {}});
   }
@@ -172,6 +175,7 @@ Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshe
     if (!collision) return collision.error();
     part.collision = std::move(*collision);
   }
+  if (const auto filled = fillRegions(recipe.parts, *json, path); !filled) return filled.error();
   if (reports) *reports = surfaces.reports();
   return recipe;
 }

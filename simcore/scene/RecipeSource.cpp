@@ -2,8 +2,11 @@
 #include "simcore/scene/RecipeSource.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 
+#include "simcore/base/PlainMath.h"
 #include "simcore/file/Json.h"
 #include "simcore/file/Ply.h"
 #include "simcore/import/ImportSurfaces.h"
@@ -23,6 +26,18 @@ JsonValue merged(const JsonValue& general, const JsonValue& own) {
   return out;
 }
 
+/// Turns by quarters are exact.
+Mat3 turnAbout(int axis, double angle) {
+  const auto tidy = [](double x) { return std::abs(x) < 1e-15 ? 0.0 : std::abs(std::abs(x) - 1) < 1e-15 ? std::copysign(1.0, x) : x; };
+  const double c = tidy(plain::cosine(angle)), s = tidy(plain::sine(angle));
+  const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+  Mat3 R = Mat3::Identity();
+  R(i, i) = R(j, j) = c;
+  R(i, j) = -s;
+  R(j, i) = s;
+  return R;
+}
+
 /// The schema has judged the form.
 Result<SurfaceSource> toSource(const JsonValue& json, const Place& place, bool visual) {
   SurfaceSource source;
@@ -36,6 +51,12 @@ Result<SurfaceSource> toSource(const JsonValue& json, const Place& place, bool v
     const auto map = axisMapFrom({json["axes"][0].text(), json["axes"][1].text(), json["axes"][2].text()});
     if (!map) return wrong("axes", map.error().arguments[0]);
     source.axes = *map;
+  }
+  // About X, then about Y, then about Z; only with a turn or a scale, so that others keep their bits.
+  if (json.find("turn") || json.find("scale")) {
+    const Vec3 radians = scene_json::toVec3(json["turn"]) * (std::numbers::pi / 180);
+    source.turn_W = json["scale"].number(1) * (turnAbout(2, radians.z()) * turnAbout(1, radians.y()) * turnAbout(0, radians.x()));
+    source.about_W = scene_json::toVec3(json["about"]);
   }
   if (json.find("translate")) source.translate_W = scene_json::toVec3(json["translate"]);
   source.surface = json["surface"].text();

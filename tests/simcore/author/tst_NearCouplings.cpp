@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "tests/simcore/author/OverlappingParts.h"
 
@@ -59,6 +61,37 @@ TEST(NearCouplings, aBallLimitsIt) {
     for (const int corner : band.triangles[t]) centre += band.vertices[corner] / 3;
     EXPECT_LE((centre - near.centre_W).norm(), near.radius + 1e-12);
   }
+}
+
+TEST(NearCouplings, aRegionLimitsItAndARecipeMayMirrorAll) {
+  JointRecipe recipe = test::overlappingParts();
+  recipe.nearCouplings = {bandToBall(1e-3)};
+  const Joint all = *buildJoint(recipe);
+  const std::vector<int> near = trianglesOf(*findRegion(all.parts[1], "band-ball"));
+  std::vector<int> half;  // what an author drew: one side of the band
+  const TriMesh& band = *recipe.parts[1].visual;
+  for (int t = 0; t < static_cast<int>(band.triangles.size()); ++t)
+    if (band.vertices[band.triangles[t][0]].x() > 0) half.push_back(t);
+  recipe.parts[1].regions.push_back({"drawn", {}, "other", SurfaceKind::Visual, runsOf(half)});
+  recipe.nearCouplings[0].coupling.regionA = "drawn";
+  const auto joint = buildJoint(recipe);
+  ASSERT_TRUE(joint.ok()) << toLogLine(joint.error());
+  std::vector<int> expected;
+  std::set_intersection(near.begin(), near.end(), half.begin(), half.end(), std::back_inserter(expected));
+  ASSERT_FALSE(expected.empty());
+  ASSERT_LT(expected.size(), near.size());
+  EXPECT_EQ(joint->couplings[0].regionA, "band-ball");
+  EXPECT_EQ(trianglesOf(*findRegion(joint->parts[1], "band-ball")), expected);
+  recipe.nearCouplings[0].coupling.regionA = "nowhere";
+  EXPECT_EQ(buildJoint(recipe).error().fault, Fault::UnknownId);
+  recipe.nearCouplings[0].coupling.regionA = "drawn";
+  recipe.side = JointSide::Right;
+  recipe.mirrored = true;
+  const auto mirrored = buildJoint(recipe);
+  ASSERT_TRUE(mirrored.ok());
+  EXPECT_EQ(mirrored->side, JointSide::Left);
+  for (std::size_t i = 0; i < band.vertices.size(); ++i) EXPECT_EQ(mirrored->parts[1].visual->vertices[i], Vec3(joint->parts[1].visual->vertices[i].cwiseProduct(Vec3(1, 1, -1))));
+  EXPECT_EQ(trianglesOf(*findRegion(mirrored->parts[1], "band-ball")), expected);
 }
 
 TEST(NearCouplings, whatCannotHoldIsRefusedByName) {

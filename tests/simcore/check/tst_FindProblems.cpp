@@ -314,6 +314,11 @@ TEST(FindProblems, whatNothingHolds) {
   hold.part = joint.parts[0].id;
   other.holds = {hold};
   EXPECT_FALSE(has(findProblems(joint, &other), ProblemKind::IslandLoose)) << "a hold is enough";
+  other.holds.clear();
+  Support support;
+  support.part = soft;
+  other.supports = {support};
+  EXPECT_FALSE(has(findProblems(joint, &other), ProblemKind::IslandLoose)) << "so is a support";
 }
 
 TEST(FindProblems, overlapsAtTheStartWithTheirDepth) {

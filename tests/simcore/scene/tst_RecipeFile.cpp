@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "simcore/file/Ply.h"
+#include "simcore/mesh/TrianglePatch.h"
+#include "simcore/scene/RegionNear.h"
 #include "tests/simcore/file/TemporaryFolder.h"
 #include "tests/simcore/scene/SampleJoint.h"
 
@@ -89,6 +91,46 @@ TEST(RecipeFile, couplingsByDistanceAndTheWishesForTheStart) {
   EXPECT_FALSE(prepared.load()->start);
 }
 
+TEST(RecipeFile, regionsBySetsDistanceAndBall) {
+  const Prepared prepared;
+  const auto recipe = prepared.load("{\"id\": \"foot\", \"kind\": \"footprint\", \"triangles\": [[0, 2], [3, 1]]}",
+                                    "{\"id\": \"foot\", \"triangles\": [[0, 2], [3, 1]]}, {\"id\": \"b\", \"triangles\": [[1, 2]]}, {\"id\": \"both\", \"union\": [\"foot\", \"b\"]},"
+                                    "{\"id\": \"shared\", \"intersection\": [\"foot\", \"b\"]}, {\"id\": \"less\", \"difference\": [\"both\", \"shared\"]}, {\"id\": \"rest\", \"complement\": \"shared\"},"
+                                    "{\"id\": \"near\", \"near\": {\"part\": \"humerus\", \"within\": 0.5}}, {\"id\": \"limited\", \"near\": {\"part\": \"humerus\", \"within\": 0.5}, \"union\": [\"foot\"]}");
+  ASSERT_TRUE(recipe.ok()) << toLogLine(recipe.error());
+  const PartRecipe& cuff = recipe->parts[1];
+  const auto of = [&](std::size_t region) { return trianglesOf(cuff.regions.at(region)); };
+  EXPECT_EQ(of(2), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(of(3), (std::vector<int>{1}));
+  EXPECT_EQ(of(4), (std::vector<int>{0, 2, 3}));
+  std::vector<int> rest;
+  for (int t = 0; t < static_cast<int>(cuff.visual->triangles.size()); ++t)
+    if (t != 1) rest.push_back(t);
+  EXPECT_EQ(of(5), rest);
+  const std::vector<int> near = trianglesNear(*cuff.visual, *recipe->parts[0].visual, 0.5);
+  ASSERT_FALSE(near.empty());
+  EXPECT_EQ(of(6), near);
+  EXPECT_EQ(of(7), common(near, of(0)));
+}
+
+TEST(RecipeFile, aPartMayBeTurnedAndTheWholeMirrored) {
+  const Prepared prepared;
+  const auto plain = prepared.load();
+  ASSERT_TRUE(plain.ok());
+  EXPECT_FALSE(plain->mirrored);
+  const auto turned = prepared.load("\"number\": 2,", "\"number\": 2, \"source\": {\"unit\": \"m\", \"turn\": [0, 90, 90], \"scale\": 2, \"about\": [1, 0, 0], \"translate\": [0, 0, 5]},");
+  ASSERT_TRUE(turned.ok()) << toLogLine(turned.error());
+  const auto &from = plain->parts[1].visual->vertices, &to = turned->parts[1].visual->vertices;
+  ASSERT_EQ(from.size(), to.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    // About Y by 90°: x → −z, z → x; then about Z: x → y, y → −x.
+    const Vec3 r = from[i] - Vec3(1, 0, 0), aboutY(r.z(), r.y(), -r.x()), aboutZ(-aboutY.y(), aboutY.x(), aboutY.z());
+    EXPECT_LT((to[i] - (2 * aboutZ + Vec3(1, 0, 5))).norm(), 1e-12);
+  }
+  EXPECT_EQ(turned->parts[0].visual->vertices, plain->parts[0].visual->vertices);
+  EXPECT_TRUE(prepared.load("\"side\": \"left\"", "\"side\": \"left\", \"mirror\": true")->mirrored);
+}
+
 TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
   struct Slip {
     const char *what, *by;
@@ -104,7 +146,12 @@ TEST(RecipeFile, slipsAreNamedWithTheirPlace) {
         Slip{"[3, 1]", "[3, 2]", Fault::BadIndex, "/parts/1/regions/0/triangles", "cuff"},
         Slip{"\"number\": 2", "\"number\": 1", Fault::DuplicateId, "/parts/1/number", "cuff"},
         Slip{"\"regionA\": \"foot\"", "\"regionA\": \"hand\"", Fault::UnknownId, "/couplings/0/regionA", "c"},
-        Slip{"\"regionA\": \"foot\"", "\"regionA\": \"foot\", \"within\": 0.001", Fault::SchemaMismatch, "/couplings/0", ""},
+        Slip{"\"regionA\": \"foot\", ", "", Fault::SchemaMismatch, "/couplings/0", ""},
+        Slip{"\"regionA\": \"foot\"", "\"regionA\": \"hand\", \"within\": 0.001", Fault::UnknownId, "/couplings/0/regionA", "c"},
+        Slip{"\"triangles\": [[0, 2], [3, 1]]", "\"union\": [\"hand\"]", Fault::UnknownId, "/parts/1/regions/0", "cuff"},
+        Slip{"\"triangles\": [[0, 2], [3, 1]]", "\"near\": {\"part\": \"cuff\", \"within\": 1}", Fault::UnknownId, "/parts/1/regions/0", "cuff"},
+        Slip{"\"triangles\": [[0, 2], [3, 1]]", "\"ball\": {\"centre\": [9, 9, 9], \"radius\": 0.1}", Fault::Unusable, "/parts/1/regions/0", "cuff"},
+        Slip{"\"triangles\": [[0, 2], [3, 1]]", "\"name\": \"x\"", Fault::SchemaMismatch, "/parts/1/regions/0", ""},
         Slip{"\"partB\": \"humerus\", \"regionA\": \"foot\"", "\"partB\": \"ulna\", \"within\": 0.001", Fault::UnknownId, "/couplings/0/partB", "c"},
         Slip{"\"id\": \"humerus\"", "\"id\": \"left humerus\"", Fault::SchemaMismatch, "/parts/0/id", ""},
         Slip{"\"id\": \"foot\"", "\"id\": \"a/b\"", Fault::SchemaMismatch, "/parts/1/regions/0/id", ""},
