@@ -1352,6 +1352,54 @@
         <source>Why the parts are coupled</source>
         <translation>Por qué se acoplan las piezas</translation>
     </message>
+    <message>
+        <source>Add the region “%1”</source>
+        <translation>Añadir la región «%1»</translation>
+    </message>
+    <message>
+        <source>Take the region “%1” away</source>
+        <translation>Quitar la región «%1»</translation>
+    </message>
+    <message>
+        <source>Keep what the region “%1” shares</source>
+        <translation>Dejar lo que comparte la región «%1»</translation>
+    </message>
+    <message>
+        <source>Only within what is selected</source>
+        <translation>Solo dentro de lo seleccionado</translation>
+    </message>
+    <message>
+        <source>Draw a lasso first: of what is near, only what lies in it is taken</source>
+        <translation>Dibuje antes un lazo: de lo que está cerca solo se toma lo que queda dentro</translation>
+    </message>
+    <message>
+        <source>The two touch each other</source>
+        <translation>Las dos se tocan</translation>
+    </message>
+    <message>
+        <source>Off: contact between these two parts is not looked for</source>
+        <translation>Desactivado: no se busca contacto entre estas dos piezas</translation>
+    </message>
+    <message>
+        <source>A region becomes the selection</source>
+        <translation>La región pasa a ser la selección</translation>
+    </message>
+    <message>
+        <source>A region is added to the selection</source>
+        <translation>La región se añade a la selección</translation>
+    </message>
+    <message>
+        <source>A region is taken from the selection</source>
+        <translation>La región se quita de la selección</translation>
+    </message>
+    <message>
+        <source>The selection keeps what a region shares</source>
+        <translation>La selección conserva lo que comparte la región</translation>
+    </message>
+    <message>
+        <source>What choosing a region does</source>
+        <translation>Qué hace elegir una región</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::Document</name>
@@ -3130,6 +3178,10 @@
         <source>Change the elements of “%1”</source>
         <translation>Cambiar los elementos de «%1»</translation>
     </message>
+    <message>
+        <source>Move “%1”</source>
+        <translation>Mover «%1»</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::PartMovement</name>
@@ -3203,6 +3255,57 @@
     <message>
         <source>Soft parts</source>
         <translation>Partes blandas</translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PlaceFields</name>
+    <message>
+        <source>Place</source>
+        <translation>Posición</translation>
+    </message>
+    <message>
+        <source>Shift, mm:</source>
+        <translation>Desplazar, mm:</translation>
+    </message>
+    <message>
+        <source>Shift along X</source>
+        <translation>Desplazar a lo largo de X</translation>
+    </message>
+    <message>
+        <source>Shift along Y</source>
+        <translation>Desplazar a lo largo de Y</translation>
+    </message>
+    <message>
+        <source>Shift along Z</source>
+        <translation>Desplazar a lo largo de Z</translation>
+    </message>
+    <message>
+        <source>Turn, °:</source>
+        <translation>Girar, °:</translation>
+    </message>
+    <message>
+        <source>Turn about X</source>
+        <translation>Girar alrededor de X</translation>
+    </message>
+    <message>
+        <source>Turn about Y</source>
+        <translation>Girar alrededor de Y</translation>
+    </message>
+    <message>
+        <source>Turn about Z</source>
+        <translation>Girar alrededor de Z</translation>
+    </message>
+    <message>
+        <source>Scale:</source>
+        <translation>Escala:</translation>
+    </message>
+    <message>
+        <source>Put it there</source>
+        <translation>Ponerla ahí</translation>
+    </message>
+    <message>
+        <source>Turn and scale about the middle of the part, about X, then Y, then Z, then shift it. Regions stay; its cage goes</source>
+        <translation>Gira y escala alrededor del centro de la pieza, en torno a X, luego Y, luego Z, y después la desplaza. Las regiones se quedan; su jaula se quita</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include "editor/core/AnatomyNames.h"
 #include "editor/core/PartName.h"
 #include "editor/core/SameScene.h"
+#include "editor/core/Sentences.h"
 
 namespace glenoid {
 namespace {
@@ -172,6 +173,21 @@ bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<
                     });
 }
 
+bool movePart(Document& document, const std::string& part, const PartMove& move, QString* why) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0 || move == PartMove{}) return false;
+  const Result<Part> moved = movedPart(document.joint().parts[index], move);
+  if (!moved) {
+    if (why) *why = sentenceOf(moved.error());
+    return false;
+  }
+  return change(document, PartEdits::tr("Move “%1”").arg(partName(document.joint(), part)), [&](Scene& scene) {
+    scene.joint.parts[index] = *moved;
+    dropCage(scene.joint, part);
+    scene.joint.startProof.reset();
+  });
+}
+
 bool setPartElements(Document& document, const std::string& part, Elements elements) {
   const int index = findPart(document.joint(), part);
   if (index < 0 || document.joint().parts[index].kind != PartKind::Soft) return false;
@@ -219,6 +235,11 @@ bool removeExclusion(Document& document, const std::string& partA, const std::st
                 [&](Scene& scene) {
                   std::erase_if(scene.joint.exclusions, [&](const Exclusion& e) { return samePair(e, partA, partB); });
                 });
+}
+
+bool setContact(Document& document, const std::string& partA, const std::string& partB, bool on) {
+  if (on) return removeExclusion(document, partA, partB);
+  return addExclusion(document, {partA, partB, "switched off by the author"});
 }
 
 }  // namespace glenoid

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/core/Document.h"
+#include "simcore/author/MovePart.h"
 
 /// What an author does to parts, materials and contact pairs: each function is one undo step on the document, or
 /// does nothing and answers false (an id is unknown or taken, a reference leads nowhere, or the value is the same).
@@ -33,6 +34,10 @@ bool removePart(Document& document, const std::string& part);
 bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh);
 bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize);
 
+/// Elsewhere, larger or turned (author/MovePart.h). Its cage and the proof of the start go, since what overlaps is another thing
+/// now. `why`: the sentence where it cannot be done.
+bool movePart(Document& document, const std::string& part, const PartMove& move, QString* why = nullptr);
+
 /// What a soft part is made of in a run.
 bool setPartElements(Document& document, const std::string& part, Elements elements);
 
@@ -44,5 +49,7 @@ bool removeMaterial(Document& document, const std::string& material);
 
 bool addExclusion(Document& document, const Exclusion& exclusion);
 bool removeExclusion(Document& document, const std::string& partA, const std::string& partB);
+/// Contact of a pair on or off, whatever said so before. False when it is so already, or for parts that are not two.
+bool setContact(Document& document, const std::string& partA, const std::string& partB, bool on);
 
 }  // namespace glenoid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/ui/CouplingPanel.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QLineEdit>
@@ -61,6 +62,7 @@ CouplingPanel::CouplingPanel(Document& document, Selection& selection, Authoring
     refreshParts();
     refreshRegions();
     refreshSelection();
+    refreshContact();
     refreshList();
     refreshStiffness();
     askFigures();
@@ -68,6 +70,7 @@ CouplingPanel::CouplingPanel(Document& document, Selection& selection, Authoring
   connect(&authoring, &Authoring::targetChanged, this, [this] {
     refreshParts();
     refreshRegions();
+    refreshContact();
     refreshStiffness();
   });
   connect(&authoring, &Authoring::selectionChanged, this, &CouplingPanel::refreshSelection);
@@ -110,6 +113,36 @@ void CouplingPanel::refreshParts() {
   int kept = m_partB->findData(other);
   if (kept < 0 || kept == m_partA->currentIndex()) kept = m_partA->currentIndex() == 0 ? 1 : 0;
   m_partB->setCurrentIndex(std::min(kept, m_partB->count() - 1));
+}
+
+void CouplingPanel::refreshContact() {
+  const QScopedValueRollback guard(m_showing, true);
+  const std::string a = m_authoring.part(), b = partB();
+  const auto& off = m_document.joint().exclusions;
+  const auto found = std::find_if(off.begin(), off.end(), [&](const Exclusion& e) { return (e.partA == a && e.partB == b) || (e.partA == b && e.partB == a); });
+  m_contact->setEnabled(!a.empty() && !b.empty() && a != b);
+  m_contact->setChecked(found == off.end());
+}
+
+/// The chosen region and the selection: the one, both, the difference, what they share.
+void CouplingPanel::takeRegion() {
+  const int part = findPart(m_document.joint(), m_authoring.part());
+  const Region* region = part < 0 ? nullptr : findRegion(m_document.joint().parts[part], currentRegion());
+  if (!region) return;
+  const QString name = anatomyName(region->name);
+  const std::vector<int> own = trianglesOf(*region);
+  const QScopedValueRollback guard(m_showing, true);  // the list stays as it is while its row is taken
+  // Triangles of another surface have nothing in common with what is selected.
+  const int how = region->surface == m_authoring.surface() ? m_combine->currentIndex() : 0;
+  const std::vector<int> selected = m_authoring.selected();
+  m_surface->setCurrentIndex(region->surface == SurfaceKind::Collision ? 1 : 0);
+  m_authoring.setTarget(m_authoring.part(), region->surface);
+  switch (how) {
+    case 1: return m_authoring.select(united(selected, own), tr("Add the region “%1”").arg(name));
+    case 2: return m_authoring.select(without(selected, own), tr("Take the region “%1” away").arg(name));
+    case 3: return m_authoring.select(common(selected, own), tr("Keep what the region “%1” shares").arg(name));
+    default: return m_authoring.select(own, tr("Select the region “%1”").arg(name));
+  }
 }
 
 void CouplingPanel::refreshRegions() {
@@ -272,9 +305,10 @@ void CouplingPanel::askNear(bool select) {
   const auto otherMesh = m_document.joint().parts[other].visual;
   if (!otherMesh) return;
   m_nearJob.ask([this, mesh, otherMesh, select, distance = 1e-3 * m_within->value(),
-                 target = m_authoring.part(),
-                 surface = m_authoring.surface()](const std::atomic<bool>&) -> LatestJob::Answer {
+                 target = m_authoring.part(), surface = m_authoring.surface(), limited = m_inSelection->isChecked(),
+                 selected = m_authoring.selected()](const std::atomic<bool>&) -> LatestJob::Answer {
     std::vector<int> near = trianglesNear(*mesh, *otherMesh, distance);
+    if (limited) near = common(near, selected);
     return [=, this] {
       if (target != m_authoring.part() || surface != m_authoring.surface() || mesh != m_authoring.mesh())
         return;

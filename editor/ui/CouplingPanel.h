@@ -8,6 +8,7 @@
 #include "simcore/coupling/CouplingFigures.h"
 #include "simcore/scene/ProposeExclusions.h"
 
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QGroupBox;
@@ -46,6 +47,8 @@ class CouplingPanel : public QScrollArea {
   void refreshProposals(const std::vector<ExclusionProposal>& proposals);
   void askFigures();
   void askNear(bool select);
+  void takeRegion();
+  void refreshContact();
   void couple();
   std::string partB() const;
   std::string currentRegion() const;
@@ -61,7 +64,8 @@ class CouplingPanel : public QScrollArea {
 
   std::vector<QGroupBox*> m_groups;
   std::vector<QLabel*> m_labels;
-  QComboBox *m_partA, *m_partB, *m_surface;
+  QComboBox *m_partA, *m_partB, *m_surface, *m_combine;
+  QCheckBox *m_contact, *m_inSelection;
   QLabel *m_selected, *m_asPressure, *m_detail;
   QDoubleSpinBox *m_within, *m_stiffness, *m_ownStiffness, *m_ownDamping;
   QPushButton *m_near, *m_newRegion, *m_setRegion, *m_removeRegion, *m_couple, *m_remove;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the panel of couplings is made of, and its texts.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -11,6 +12,7 @@
 
 #include "editor/core/AnatomyNames.h"
 #include "editor/core/AuthorEdits.h"
+#include "editor/core/PartEdits.h"
 #include "editor/ui/CouplingPanel.h"
 #include "editor/ui/Numbers.h"
 #include "editor/ui/PanelParts.h"
@@ -67,6 +69,12 @@ QWidget* CouplingPanel::makePick() {
   pairLayout->addWidget(m_near);
   row(pair);
   m_labels.back()->setBuddy(m_within);
+  m_inSelection = new QCheckBox;
+  m_inSelection->setObjectName(QStringLiteral("couplings.inSelection"));
+  form->addRow(m_inSelection);
+  m_contact = new QCheckBox;
+  m_contact->setObjectName(QStringLiteral("couplings.contact"));
+  form->addRow(m_contact);
   m_selected = words("couplings.selected", "hint");
   form->addRow(m_selected);
 
@@ -78,8 +86,14 @@ QWidget* CouplingPanel::makePick() {
   connect(m_partA, &QComboBox::currentIndexChanged, this, target);
   connect(m_surface, &QComboBox::currentIndexChanged, this, target);
   connect(m_partB, &QComboBox::currentIndexChanged, this, [this] {
-    if (!m_showing) refreshStiffness();
+    if (m_showing) return;
+    refreshStiffness();
+    refreshContact();
   });
+  connect(m_contact, &QCheckBox::toggled, this, [this](bool on) {
+    if (!m_showing) setContact(m_document, m_authoring.part(), partB(), on);
+  });
+  connect(m_inSelection, &QCheckBox::toggled, this, [this] { askNear(false); });
   connect(m_within, &QDoubleSpinBox::valueChanged, this, [this] { askNear(false); });
   connect(m_near, &QPushButton::clicked, this, [this] { askNear(true); });
   return box;
@@ -93,6 +107,12 @@ QWidget* CouplingPanel::makeRegions() {
   m_regions->setObjectName(QStringLiteral("couplings.regions"));
   m_regions->setMaximumHeight(110);
   layout->addWidget(m_regions);
+  m_combine = new QComboBox;
+  m_combine->setObjectName(QStringLiteral("couplings.combine"));
+  m_combine->addItems({{}, {}, {}, {}});
+  m_combine->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  m_combine->setFocusPolicy(Qt::StrongFocus);
+  layout->addWidget(m_combine);
   m_newRegion = button("couplings.newRegion");
   m_setRegion = button("couplings.setRegion");
   m_removeRegion = button("couplings.removeRegion");
@@ -101,15 +121,10 @@ QWidget* CouplingPanel::makeRegions() {
   layout->addLayout(row);
   connect(m_regions, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     refreshSelection();
-    if (m_showing || !item) return;
-    const int part = findPart(m_document.joint(), m_authoring.part());
-    const Region* region = part < 0 ? nullptr : findRegion(m_document.joint().parts[part], currentRegion());
-    if (!region) return;
-    const QScopedValueRollback guard(m_showing, true);  // the list stays as it is while its row is taken
-    m_surface->setCurrentIndex(region->surface == SurfaceKind::Collision ? 1 : 0);
-    m_authoring.setTarget(m_authoring.part(), region->surface);
-    m_authoring.select(trianglesOf(*region), tr("Select the region “%1”").arg(anatomyName(region->name)));
+    if (!m_showing && item) takeRegion();
   });
+  // The same region once more: to add back what was taken away.
+  connect(m_regions, &QListWidget::itemClicked, this, [this] { takeRegion(); });
   connect(m_regions, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     if (!m_showing)
       renameRegion(m_document, m_authoring.part(), item->data(kIdRole).toString().toStdString(),
@@ -215,6 +230,15 @@ void CouplingPanel::retranslate() {
   m_near->setText(tr("Select"));
   m_near->setToolTip(
       tr("Select all triangles that lie within this distance of the other part, or inside it"));
+  m_inSelection->setText(tr("Only within what is selected"));
+  m_inSelection->setToolTip(tr("Draw a lasso first: of what is near, only what lies in it is taken"));
+  m_contact->setText(tr("The two touch each other"));
+  m_contact->setToolTip(tr("Off: contact between these two parts is not looked for"));
+  m_combine->setItemText(0, tr("A region becomes the selection"));
+  m_combine->setItemText(1, tr("A region is added to the selection"));
+  m_combine->setItemText(2, tr("A region is taken from the selection"));
+  m_combine->setItemText(3, tr("The selection keeps what a region shares"));
+  m_combine->setAccessibleName(tr("What choosing a region does"));
   m_newRegion->setText(tr("New"));
   m_newRegion->setToolTip(tr("Make a region of what is selected"));
   m_setRegion->setText(tr("Set"));
@@ -236,6 +260,7 @@ void CouplingPanel::retranslate() {
   for (QLineEdit* edit : {m_reason, m_ownReason}) edit->setAccessibleName(tr("Why the parts are coupled"));
   refreshParts();
   refreshRegions();
+  refreshContact();
   refreshStiffness();
   refreshList();
   m_asPressure->setText(tr("%1 kPa per mm").arg(number(m_stiffness->value() * kPerField * 1e-6, 3)));

@@ -26,6 +26,7 @@
 #include "editor/core/Sentences.h"
 #include "editor/ui/LoadFields.h"
 #include "editor/ui/Numbers.h"
+#include "editor/ui/PlaceFields.h"
 #include "simcore/live/RestWatch.h"
 
 namespace glenoid {
@@ -222,6 +223,7 @@ void PropertiesPanel::showPart(QVBoxLayout& layout, const Part& part) {
     }
   }
   if (movementOf(m_document.scenario(), part.id) != Movement::Fixed) layout.addWidget(new LoadFields(m_document, part.id, m_editing));
+  layout.addWidget(new PlaceFields(m_document, part.id));
   showMaterials(layout, part);
   showCouplings(layout, part);
 }

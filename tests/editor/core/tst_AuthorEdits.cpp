@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "editor/core/PartEdits.h"
 #include "editor/core/tools/Authoring.h"
 #include "simcore/mesh/TrianglePatch.h"
 #include "tests/scenes/BlockScenes.h"
@@ -105,6 +108,61 @@ TEST_F(AuthorEditsTest, couplingsAreRemovedAndPairsExcluded) {
   before = document.joint();
   EXPECT_TRUE(removeCoupling(document, "c12"));
   isOneStep(before);
+}
+
+TEST_F(AuthorEditsTest, contactOfAPairIsSwitchedOffAndOn) {
+  const Joint before = document.joint();
+  EXPECT_FALSE(setContact(document, "left", "right", true)) << "it is on";
+  EXPECT_FALSE(setContact(document, "left", "left", false));
+  ASSERT_TRUE(setContact(document, "left", "right", false));
+  ASSERT_EQ(document.joint().exclusions.size(), 1u);
+  EXPECT_FALSE(setContact(document, "right", "left", false)) << "it is off";
+  isOneStep(before);
+  ASSERT_TRUE(setContact(document, "right", "left", true)) << "in either order";
+  EXPECT_TRUE(document.joint().exclusions.empty());
+}
+
+TEST_F(AuthorEditsTest, aPartIsPutElsewhereInOneStep) {
+  const Part before = document.joint().parts[1];
+  const Box3 box = boundsOf(*before.visual);
+  document.edit(QStringLiteral("a proof"), {}, [](Scene& scene) { scene.joint.startProof = StartProof{}; });
+  document.undoStack().clear();
+  EXPECT_FALSE(movePart(document, "middle", {}));
+  EXPECT_FALSE(movePart(document, "nobody", {.shift_W = Vec3(1, 0, 0)}));
+  QString why;
+  EXPECT_FALSE(movePart(document, "middle", {.scale = -1}, &why));
+  EXPECT_FALSE(why.isEmpty());
+  EXPECT_EQ(document.undoStack().count(), 0);
+  // A quarter turn about Z of a box of 40 × 20 × 20 mm, half as large, 10 mm up.
+  ASSERT_TRUE(movePart(document, "middle", {.turn_deg = Vec3(0, 0, 90), .scale = 0.5, .shift_W = Vec3(0, 0.01, 0)}));
+  const Part after = document.joint().parts[1];
+  const Box3 moved = boundsOf(*after.visual);
+  EXPECT_LT((moved.sizes() - Vec3(0.01, 0.02, 0.01)).norm(), 1e-12);
+  EXPECT_LT((moved.center() - (box.center() + Vec3(0, 0.01, 0))).norm(), 1e-12);
+  EXPECT_LT((boundsOf(*after.collision).center() - moved.center()).norm(), 1e-9);
+  EXPECT_EQ(after.regions, before.regions);
+  EXPECT_NEAR(after.cellSize, before.cellSize / 2, 1e-15);
+  double volume = 0, old = 0;
+  for (std::size_t t = 0; t < after.volume->tets.size(); ++t) {
+    volume += tetVolume(*after.volume, static_cast<int>(t)), old += tetVolume(*before.volume, static_cast<int>(t));
+    EXPECT_GT(tetVolume(*after.volume, static_cast<int>(t)), 0);
+  }
+  EXPECT_NEAR(volume, old / 8, 1e-12 * old);
+  EXPECT_FALSE(document.joint().startProof);
+  ASSERT_EQ(document.undoStack().count(), 1);
+  document.undoStack().undo();
+  EXPECT_EQ(document.joint().parts[1].visual, before.visual) << "the very same mesh";
+  EXPECT_TRUE(document.joint().startProof);
+  document.undoStack().redo();
+  EXPECT_EQ(document.joint().parts[1].visual, after.visual);
+  // One that runs as cells gets cells that stand along the axes.
+  ASSERT_TRUE(setPartElements(document, "middle", Elements::Cells));
+  ASSERT_TRUE(movePart(document, "middle", {.turn_deg = Vec3(0, 30, 0)}));
+  EXPECT_NE(document.joint().parts[1].volume, after.volume);
+  const auto& nodes = document.joint().parts[1].volume->nodes;
+  std::set<long> heights;  // of a lattice: few
+  for (const Vec3& node : nodes) heights.insert(std::lround(1e6 * node.x()));
+  EXPECT_LT(heights.size(), nodes.size() / 3);
 }
 
 TEST_F(AuthorEditsTest, selectionIsUndoneStepByStep) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -9,6 +11,7 @@
 #include <map>
 
 #include "editor/ui/AuthorDocks.h"
+#include "simcore/mesh/TrianglePatch.h"
 #include "tests/editor/ui/GuiTest.h"
 
 namespace glenoid {
@@ -141,6 +144,62 @@ TEST_F(CouplingTools, regionsAreNamedSets) {
   EXPECT_EQ(authoring().selected(), grown) << "choosing the set selects it";
   press("couplings.removeRegion");
   EXPECT_TRUE(document.joint().parts[1].regions.empty());
+}
+
+TEST_F(CouplingTools, regionsAreUnitedTakenAwayAndShared) {
+  selection.select("block");
+  QTest::keyClick(window.get(), Qt::Key_C);
+  const auto regionAt = [&](const QPoint& at) {
+    QTest::mouseClick(window->view(), Qt::LeftButton, {}, at);
+    QTest::keyClick(window.get(), Qt::Key_Up, Qt::ControlModifier);
+    press("couplings.newRegion");
+    return authoring().selected();
+  };
+  const std::vector<int> a = regionAt(pixel(-0.004, 0.02)), b = regionAt(pixel(0.004, 0.02));
+  ASSERT_NE(a, b);
+  auto* regions = child<QListWidget>("couplings.regions");
+  auto* combine = child<QComboBox>("couplings.combine");
+  ASSERT_EQ(regions->count(), 2);
+  const auto choose = [&](int how, int row) {
+    combine->setCurrentIndex(how);
+    regions->setCurrentRow(-1);
+    regions->setCurrentRow(row);
+  };
+  choose(0, 0);
+  EXPECT_EQ(authoring().selected(), a);
+  choose(1, 1);
+  EXPECT_EQ(authoring().selected(), united(a, b));
+  choose(2, 0);
+  EXPECT_EQ(authoring().selected(), without(b, a));
+  choose(0, 0);
+  choose(3, 1);
+  EXPECT_EQ(authoring().selected(), common(a, b));
+  QTest::keyClick(window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(authoring().selected(), a) << "each is a step";
+}
+
+TEST_F(CouplingTools, nearWithinALassoAndContactOfThePair) {
+  selection.select("block");
+  QTest::keyClick(window.get(), Qt::Key_E);
+  child<QDoubleSpinBox>("couplings.within")->setValue(0.6);
+  press("couplings.near");
+  ASSERT_TRUE(until([this] { return authoring().selected().size() == 32; }));
+  const std::vector<int> under = authoring().selected();
+  const std::vector<int> drawn(under.begin(), under.begin() + 7);
+  authoring().select(united(drawn, {0, 1, 2}), QStringLiteral("a lasso"));
+  const std::vector<int> lasso = authoring().selected();
+  child<QCheckBox>("couplings.inSelection")->click();
+  press("couplings.near");
+  ASSERT_TRUE(until([&] { return authoring().selected() == common(lasso, under); }));
+  auto* contact = child<QCheckBox>("couplings.contact");
+  ASSERT_TRUE(contact->isEnabled());
+  EXPECT_TRUE(contact->isChecked());
+  contact->click();
+  ASSERT_EQ(document.joint().exclusions.size(), 1u);
+  EXPECT_TRUE(until([this] { return snapshot().model->joint.exclusions.size() == 1; })) << "the run takes it up";
+  action("undo")->trigger();
+  EXPECT_TRUE(document.joint().exclusions.empty());
+  EXPECT_TRUE(contact->isChecked()) << "the box follows";
 }
 
 TEST_F(CouplingTools, noTwoActionsOfTheWindowShareAKey) {

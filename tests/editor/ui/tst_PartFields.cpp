@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the properties panel says of a part and changes in it.
 #include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
 
 #include "tests/editor/ui/GuiTest.h"
 
@@ -34,6 +36,18 @@ TEST_F(PartFieldsWindow, elementsOfASoftPartAreChosenWithUndoAndTheRunTakesThemU
   EXPECT_EQ(part("block").elements, Elements::Tetrahedra);
   ASSERT_TRUE(until([this] { return !runsAsCells(); }));
   EXPECT_EQ(child<QComboBox>("elements")->currentText(), QStringLiteral("tetrahedra")) << "the field follows";
+}
+
+TEST_F(PartFieldsWindow, aPartIsPutElsewhereByNumbers) {
+  selection.select("plate");
+  const Box3 before = boundsOf(*part("plate").visual);
+  child<QDoubleSpinBox>("place.shift.y")->setValue(-3);
+  child<QPushButton>("place.apply")->click();
+  EXPECT_NEAR((boundsOf(*part("plate").visual).center() - before.center()).y(), -0.003, 1e-12);
+  EXPECT_EQ(document.undoStack().count(), 1);
+  EXPECT_TRUE(until([this] { return child<QDoubleSpinBox>("place.shift.y")->value() == 0; })) << "the next move begins anew";
+  action("undo")->trigger();
+  EXPECT_EQ(boundsOf(*part("plate").visual).center(), before.center());
 }
 
 }  // namespace
