@@ -5,13 +5,11 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
 #include "simcore/embed/Cells.h"
 #include "simcore/export/ExportJoint.h"
-#include "simcore/scene/JointFile.h"
 #include "tests/scenes/BlockScenes.h"
 #include "tests/simcore/file/TemporaryFolder.h"
 #include "tests/simcore/step/Measures.h"
@@ -131,49 +129,6 @@ TEST(ConformingExport, bondedTissuesLengthenAsOneBarInClosedForm) {
   joint.couplings[1].partA = "second";
   joint.couplings.push_back({"c-middle", "band", "second", "right", 1e12, 0, {}});
   compare("two bars", joint, Vec3(kForce, 0, 0), 0.002, Vec3(kForce * 2 * kLength / (joint.materials[1].youngsModulus * kWidth * kThickness), 0, 0));
-}
-
-/// A part of the built-in shoulder between two small bones of its own, held over these two of its regions; cells as given.
-Joint partOfTheShoulder(const std::string& id, const std::string& held, const std::string& pulled, double cell) {
-  Joint shoulder = loadJoint(std::string(GLENOID_SOURCE_DIR) + "/resources/joints/shoulder.joint").value();
-  Part tissue = shoulder.parts.at(static_cast<std::size_t>(findPart(shoulder, id)));
-  tissue.elements = Elements::Cells;
-  const auto middleOf = [&](const std::string& region) {
-    Box3 box;
-    for (const int t : trianglesOf(*findRegion(tissue, region)))
-      for (const int corner : tissue.visual->triangles[t]) box.extend(tissue.visual->vertices[corner]);
-    return Vec3(box.center());
-  };
-  const Vec3 half = Vec3::Constant(0.005), from = middleOf(held), to = middleOf(pulled);
-  Joint joint;
-  joint.id = joint.name = id;
-  joint.materials = shoulder.materials;
-  for (Material& material : joint.materials) material.massDamping = 20;
-  Material light = joint.materials[0];
-  light.id = "light";
-  light.density = 1;
-  joint.materials.push_back(light);
-  tissue.number = 2;
-  tissue = inCells(tissue, cell);
-  joint.parts = {scenes::boxPart("from", 1, PartKind::Rigid, from - half, from + half), tissue, scenes::boxPart("to", 9, PartKind::Rigid, to - half, to + half)};
-  for (const int bone : {0, 2}) joint.parts[static_cast<std::size_t>(bone)].materials = {{"light", "", 0}};
-  joint.couplings = {{"c-from", id, "from", held, 1e12, 0, {}}, {"c-to", id, "to", pulled, 1e12, 0, {}}};
-  return joint;
-}
-
-// Anatomy, as it ships: what is bent is a millimetre or two thick. Small forces: the deck is linear.
-TEST(ConformingExport, theCoracoacromialLigamentYieldsAsTheSimulationRefined) {
-  NEEDS_CALCULIX()
-  const Joint joint = partOfTheShoulder("coracoacromial-ligament", "acromial-end", "coracoid-end", 0.001);
-  for (const Vec3& force : {Vec3(2e-3, 0, 0), Vec3(0, 2e-3, 0), Vec3(0, 0, 2e-3)}) compare("coracoacromial ligament", joint, force, 0.0015, bySimulation(joint, force));
-}
-
-// The muscle of 45 cm³ takes a minute: GLENOID_LONG=1.
-TEST(ConformingExport, theSupraspinatusYieldsAsTheSimulationRefined) {
-  NEEDS_CALCULIX()
-  if (const char* wish = std::getenv("GLENOID_LONG"); !wish || *wish != '1') GTEST_SKIP() << "GLENOID_LONG=1 runs it";
-  const Joint joint = partOfTheShoulder("supraspinatus", "origin", "insertion", 0.003);
-  for (const Vec3& force : {Vec3(0, 0, 2e-2), Vec3(0, 1e-3, 0)}) compare("supraspinatus", joint, force, 0.004, bySimulation(joint, force));
 }
 
 }  // namespace
