@@ -17,8 +17,8 @@ double layerDepth(double contactOverThickness);
 
 /// The contact patch test (Taylor and Papadopoulos 1991): a block of 4 cm on a slab of 8 cm, both soft, ν
 /// 0.3, in the corner of two walls on a level bed, none of which gives; one pressure on the block's top and
-/// on what the slab shows beside it, so that both hold one stress. Squares of the slab: `below` along 8 cm (a
-/// multiple of four), of the block: `above` along 4 cm. No friction, no gravity.
+/// on what the slab shows beside it, so that both hold one stress. Squares of the slab: `below` along 8 cm (an
+/// even number), of the block: `above` along 4 cm. No friction, no gravity.
 TruthScene contactPatch(int below, int above, double stiffness);
 inline constexpr double kPatchPressure = 5, kPatchYoung = 5e4;  ///< Pa: so little that strains are small
 inline constexpr double kPatchGap = 1e-9;                       ///< m, between the two at the start
