@@ -8,15 +8,6 @@
 /// Long tendon of the biceps, its root, and the ring that it grows from.
 namespace glenoid::generate {
 
-namespace {
-
-constexpr double kOverHead =
-    humerus::kHeadRadius + 1.9 + kBicepsHalfThickness;  ///< middle of the tendon over the head
-
-/// Rim of the socket in W with the outward direction in its plane.
-struct RimPoint {
-  Vec3 at, out;
-};
 RimPoint rimAt(double turn) {
   const Frame socket = scapula::glenoid();
   const std::vector<Vec2> rim = scapula::glenoidRim();
@@ -32,6 +23,11 @@ RimPoint rimAt(double turn) {
   return {socket.toWorld({p.x(), p.y(), scapula::socketHeight(p.x(), p.y())}),
           socket.axes * Vec3(out.x(), out.y(), 0)};
 }
+
+namespace {
+
+constexpr double kOverHead =
+    humerus::kHeadRadius + 1.9 + kBicepsHalfThickness;  ///< middle of the tendon over the head
 
 Vec3 rootDirection() {
   return (rimAt(0).at + 1.5 * rimAt(0).out).normalized();
@@ -104,7 +100,7 @@ Surfaces bicepsTendon(const Bones& bones) {
   return s;
 }
 
-Surfaces labrumTendon(const Bones& bones) {
+Surfaces labrumTendon(const Bones& bones, int around, int along) {
   const RimPoint top = rimAt(0);
   const Vec3 n = scapula::glenoid().axes.col(2);
   std::vector<Vec3> path{top.at + 1.0 * top.out - 1.0 * n};
@@ -117,8 +113,8 @@ Surfaces labrumTendon(const Bones& bones) {
   for (Station& station : tube.stations) station.clearance = 0.8;
   tube.endLength = 0.1;
   Surfaces s;
-  s.visual = sweep(tube, 8, 8);
-  s.collision = s.visual;
+  s.collision = sweep(tube, kAnchorAround, kAnchorAlong);
+  s.visual = around == kAnchorAround && along == kAnchorAlong ? s.collision : sweep(tube, around, along);
   return s;
 }
 

@@ -5,9 +5,10 @@
 #include "resources/generate/Flesh.h"
 #include "resources/generate/Parts.h"
 
-/// The three cuff muscles: a belly that fills its fossa, a flattened tendon over the head to its footprint.
+/// The cuff muscles: a belly that fills its fossa, a flattened tendon over the head to its footprint.
 /// Lengths and thicknesses: supraspinatus 140 × 29 × 20, infraspinatus 174 × 72 × 22, subscapularis 160 × 90
-/// × 22 mm; tendons 5 to 6 mm thick; footprints 23 × 16, 29 × 19 and 40 × 20 mm (Curtis et al. 2006).
+/// × 22 mm; tendons 5 to 6 mm thick; footprints 23 × 16, 29 × 19 and 40 × 20 mm (Curtis et al. 2006). Teres minor: 142 × 33 × 27 mm in the reference body
+/// (anatomy.json), times 1.0975; footprint 29 × 21 mm.
 namespace glenoid::generate {
 
 namespace {
@@ -23,7 +24,7 @@ Vec3 inBlade(double x, double y, double z) {
 }
 
 Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Field& roof, int triangles,
-              double roundness, int coarseAround, const std::vector<double>& coarseRings) {
+              double roundness, int coarseAround, const std::vector<double>& coarseRings, const Obstacle* beside = nullptr) {
   Flesh flesh;
   flesh.tube.stations = stations;
   flesh.tube.roundness = roundness;
@@ -33,6 +34,7 @@ Surfaces both(const std::vector<Station>& stations, const Bones& bones, const Fi
   flesh.tube.bone = unionOf(bones.scapulaShape, humerus::filledField());  // tendons do not sag into the groove
   flesh.tube.roof = roof;
   flesh.obstacles = {{bones.scapulaShape, kBonded}, {bones.humerusShape, kBonded}, {roof, 1.2}};
+  if (beside) flesh.obstacles.push_back(*beside);
   Surfaces s;
   s.visual = surfaceOf(flesh, triangles);
 
@@ -117,6 +119,25 @@ std::vector<Station> subscapularisPath() {
   };
 }
 
+/// From the outer two thirds of the blade's lateral border, behind, to the lowest facet of the greater tubercle and the neck below it.
+std::vector<Station> teresMinorPath() {
+  const Vec3 up = inBlade(0, -0.25, 0.95);
+  return {
+      {onBlade(24, -106, 4), up, 6, 5, kSink, 8, 0, 1},
+      {onBlade(32, -100, 4.5), up, 9, 9, kSink, 9, 0, 1},
+      {onBlade(46, -88, 5), up, 12, 16, kSink, 10, 0, 1},
+      {onBlade(66, -69, 5), up, 13.5, 20, kSink, 10, 0, 1},
+      {onBlade(84, -53, 6), inBlade(0.1, -0.3, 0.95), 13, 19, 0.3, 5, 0, 0.8},
+      {{-33, -37, -16}, {-0.9, -0.2, 0.1}, 12, 14, 0.8, 0, 0.3, 0.3},
+      {{-26.5, -24, 2}, {-0.92, -0.15, 0.25}, 11, 9, 0.9, 0, 0.6},
+      {{-22.5, -18.5, 10}, {-0.85, -0.1, 0.5}, 10.5, 7, 0.7, 4, 1},
+      {{-17.5, -15.5, 16.5}, {-0.7, -0.1, 0.7}, 10.5, 6.2, -0.3, 7, 0.6, 0.6},
+      {{-12.5, -14.2, 21}, {-0.5, -0.1, 0.85}, 10.5, 6.2, kSunk, 9, 0.5, 1},
+      {{-7.5, -14, 24}, {-0.3, -0.05, 0.95}, 10.5, 5.8, kSunk, 9, 0.5, 1},
+      {{-5, -14, 25}, {-0.2, -0.05, 0.97}, 10, 5.2, kSunk, 9, 0.5, 0.5},
+  };
+}
+
 Surfaces supraspinatus(const Bones& bones) {
   return both(supraspinatusPath(), bones, scapula::acromionField(), 1716, 0.7, 6,
               {0.05, 0.24, 0.46, 0.66, 0.77, 0.87, 0.985});
@@ -130,6 +151,11 @@ Surfaces infraspinatus(const Bones& bones) {
 Surfaces subscapularis(const Bones& bones) {
   return both(subscapularisPath(), bones, scapula::coracoidField(), 2424, 0.85, 8,
               {0.06, 0.30, 0.62, 0.80, 0.89, 0.985});
+}
+
+Surfaces teresMinor(const Bones& bones, const TriMesh& infraspinatus) {
+  const Obstacle beside{fieldOf(infraspinatus), 0.8};
+  return both(teresMinorPath(), bones, scapula::acromionField(), 1800, 0.75, 8, {0.06, 0.30, 0.58, 0.76, 0.88, 0.97}, &beside);
 }
 
 }  // namespace glenoid::generate

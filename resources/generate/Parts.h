@@ -32,12 +32,24 @@ std::vector<Station> subscapularisPath();
 Surfaces supraspinatus(const Bones& bones);
 Surfaces infraspinatus(const Bones& bones);
 Surfaces subscapularis(const Bones& bones);
+/// Below the infraspinatus, whose surface it keeps off.
+std::vector<Station> teresMinorPath();
+Surfaces teresMinor(const Bones& bones, const TriMesh& infraspinatus);
 
 /// Middle of the long biceps tendon from its root to below the groove, and its half sizes.
 std::vector<Vec3> bicepsPath();
 inline constexpr double kBicepsHalfWidth = 3.5, kBicepsHalfThickness = 2.25;
+/// Rim of the socket in W with the outward direction in its plane. `turn`: share of the way round, 0 above, a quarter behind,
+/// a half below, three quarters in front.
+struct RimPoint {
+  Vec3 at, out;
+};
+RimPoint rimAt(double turn);
+
 Surfaces bicepsTendon(const Bones& bones);
-Surfaces labrumTendon(const Bones& bones);
+/// Its visual surface in so many rings of so many points; as few as in the published table unless asked for more.
+inline constexpr int kAnchorAround = 8, kAnchorAlong = 8;
+Surfaces labrumTendon(const Bones& bones, int around = kAnchorAround, int along = kAnchorAlong);
 Surfaces labrum(const Bones& bones);
 
 Surfaces coracoacromialLigament(const Bones& bones);
