@@ -3695,18 +3695,6 @@
         <translation>Guardado en %1</translation>
     </message>
     <message>
-        <source>&amp;Save as…</source>
-        <translation>&amp;Guardar como…</translation>
-    </message>
-    <message>
-        <source>Open a scenario, or a joint packed in one file</source>
-        <translation>Abrir un escenario, o una articulación empaquetada en un archivo</translation>
-    </message>
-    <message>
-        <source>Scenarios and joints (*.scenario.json *.jointz joint.json);;All files (*)</source>
-        <translation>Escenarios y articulaciones (*.scenario.json *.jointz joint.json);;Todos los archivos (*)</translation>
-    </message>
-    <message>
         <source>The report is in %1</source>
         <translation>El informe está en %1</translation>
     </message>
@@ -4727,14 +4715,6 @@
     <message>
         <source>right</source>
         <translation>derecho</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>activado</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>desactivado</translation>
     </message>
 </context>
 <context>
