@@ -72,8 +72,8 @@ int runProgram(int argc, char** argv) {
   addExportCommand(app, status);
   addBenchCommand(app, status);
   addStudyCommand(app, status);
-  app.footer("SCENARIO is a file, builtin:arthroscopy or builtin:palpation; JOINT a folder, builtin:shoulder or\n"
-             "builtin:shoulder-superficial.\n"
+  app.footer("SCENARIO is a file, builtin:arthroscopy, builtin:arthroscopy-full or builtin:palpation; JOINT a folder,\n"
+             "builtin:shoulder, builtin:shoulder-capsule or builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");
 
   if (const std::string word = mistypedCommand(app, argc, argv); !word.empty())
