@@ -53,6 +53,10 @@ TEST(CapsuleScene, staysFiniteAndNothingSinksIntoAnything) {
   std::printf("%.2f ms a step (median), %.2f (99 %%), %.0f contacts at most, %.3f mm deep\n", run.step.median, run.step.p99, double(run.contacts.max), 1e3 * run.penetrationMax);
 }
 
+TEST(CapsuleScene, nothingIsToldOfTheWholeRun) {
+  for (const Notice& notice : wholeRun().notices) ADD_FAILURE() << noticeName(notice.kind) << " " << notice.subject << " " << notice.figure;
+}
+
 TEST(CapsuleScene, isFasterThanTheClock) {
 #ifdef NDEBUG
   EXPECT_LT(wholeRun().step.median, 5 * test::slowness());  // ms of thread CPU time for a step of 5 ms
@@ -84,6 +88,7 @@ double turnedBy(double torque) {
   const RunResult run = runFor(scene, 2.5);
   EXPECT_TRUE(run.report.finite);
   EXPECT_LT(run.report.penetrationMax, 1.5e-3);
+  for (const Notice& notice : run.report.notices) EXPECT_FALSE(isGrave(notice.kind)) << noticeName(notice.kind) << " " << notice.subject;
   const auto model = compileModel(joint(), scene).value();
   for (const PartReading& part : readScene(*model, run.state, run.contacts).parts)
     if (part.id == "humerus") return 2 * std::atan2(part.q_WB.y(), part.q_WB.w()) * 180 / 3.14159265;

@@ -114,7 +114,9 @@ TEST(CapsuleShapes, ligamentsRunBetweenThePlacesOfTheReferenceBody) {
     const std::string name = std::string(row.id) + " glenohumeral ligament";
     expectMeasure(name + ", end at the labrum from its place", (middleOf(row.surfaces.visual, regions, "glenoid-end") - row.scapula).norm(), "mm", {0, 9, "anatomy.md 2.6"});
     expectMeasure(name + ", end on the humerus from its place", (middleOf(row.surfaces.visual, regions, "humeral-end") - row.humerus).norm(), "mm", {0, 9, "anatomy.md 2.6"});
-    expectMeasure(name + ", length", principalExtents(row.surfaces.visual).size[0], "mm", {row.length, 0.2 * row.length, "anatomy.md 2.6 x 1.0975, a fifth"});
+    const Extents extents = principalExtents(row.surfaces.visual);
+    expectMeasure(name + ", length", extents.size[0], "mm", {row.length, 0.2 * row.length, "anatomy.md 2.6 x 1.0975, a fifth"});
+    expectMeasure(name + ", width", extents.size[1], "mm", {13, 4, "anatomy.md 2.6 x 1.0975"});
   }
   const MeshHealth hammock = healthOf(shapes().inferior().visual);
   expectMeasure("inferior glenohumeral ligament, thickness", 2 * hammock.volume / hammock.area, "mm", {1.5, 0.5, "with the wall 1.5 to 3"});

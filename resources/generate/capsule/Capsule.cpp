@@ -24,8 +24,9 @@ double towards(double from, double to) {
   return from + (to - from) - std::round(to - from);
 }
 
-Band slender(const Bones& bones, const Vec3& onScapula, const Vec3& onHumerus, double halfWidth, double thickness) {
+Band slender(const Bones& bones, const Vec3& onScapula, const Vec3& onHumerus, double halfWidth, double thickness, double room = 1) {
   Band band;
+  band.room = room;
   std::tie(band.middleFrom, band.middleTo) = Sleeve::turnsNear(bones, onScapula, onHumerus);
   band.middleTo = towards(band.middleFrom, band.middleTo);
   band.halfFrom = band.halfTo = halfWidth;
@@ -98,13 +99,13 @@ double Band::thicknessAt(double aside) const {
 CapsuleShapes::CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside)
     : m_bones(bones), m_tendon(fieldOf(inside.back())),
       m_superior(slender(bones, {-1, 15.5, -27}, {21, 9.8, 0}, 0.040, 1.6)),
-      m_middle(slender(bones, {0.5, 8.5, -30}, {23.3, 1, -4.6}, 0.045, 1.8)),
+      m_middle(slender(bones, {0.5, 8.5, -30}, {23.3, 1, -4.6}, 0.036, 1.8, 1.25)),
       m_inferior(hammock(bones)),
       m_sleeve(bones, inside, kCapsuleThickness, [this](const SleevePlace& place) {
         double most = 0;
         for (const Band* band : {&m_superior, &m_middle, &m_inferior}) {
           double off = place.turn - band->middleAt(place.way);
-          off = (off - std::round(off)) / band->halfAt(place.way);
+          off = (off - std::round(off)) / (band->room * band->halfAt(place.way));
           most = std::max(most, eased((1.3 - std::abs(off)) / 0.3) * band->thicknessAt(off) / 2);
         }
         return most;

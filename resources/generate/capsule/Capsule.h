@@ -14,6 +14,7 @@ inline constexpr double kCapsuleThickness = 1.8;
 /// A stretch of the sleeve's inner side that a ligament covers, by the turns of its middle and of half its width at both ends.
 struct Band {
   double middleFrom = 0, middleTo = 0, halfFrom = 0, halfTo = 0;
+  double room = 1;               ///< width of the hollow that the wall leaves for it, over its own
   double thickness = 1.6;        ///< mm along its middle
   double border = 1.6;           ///< mm along its two borders
   int across = 8, along = 20;    ///< cells of its visual sheets
