@@ -50,11 +50,13 @@ TEST(CapsuleScene, staysFiniteAndNothingSinksIntoAnything) {
   EXPECT_EQ(run.rejectedSteps, 0);
   EXPECT_LT(run.penetrationMax, 1e-3);
   EXPECT_LT(run.residual, 1e-10);
-  std::printf("%.2f ms a step (median), %.2f (99 %%), %.0f contacts at most, %.3f mm deep\n", run.step.median, run.step.p99, double(run.contacts.max), 1e3 * run.penetrationMax);
+  std::printf("%.2f ms a step (median), %.2f (99 %%), %.0f contacts at most, %.3f mm deep\n", run.step.median,
+              run.step.p99, double(run.contacts.max), 1e3 * run.penetrationMax);
 }
 
 TEST(CapsuleScene, nothingIsToldOfTheWholeRun) {
-  for (const Notice& notice : wholeRun().notices) ADD_FAILURE() << noticeName(notice.kind) << " " << notice.subject << " " << notice.figure;
+  for (const Notice& notice : wholeRun().notices)
+    ADD_FAILURE() << noticeName(notice.kind) << " " << notice.subject << " " << notice.figure;
 }
 
 TEST(CapsuleScene, isFasterThanTheClock) {
@@ -77,7 +79,8 @@ TEST(CapsuleScene, twoThreadsGiveTheSameBits) {
   EXPECT_EQ(runFor(scenario(), 2.2, 1).report.stateHash, runFor(scenario(), 2.2, 2).report.stateHash);
 }
 
-/// Turn of the humerus about the vertical after a couple of so much has acted for some seconds, degrees; positive outwards.
+/// Turn of the humerus about the vertical after a couple of so much has acted for some seconds, degrees;
+/// positive outwards.
 double turnedBy(double torque) {
   Scenario scene = scenario();
   scene.holds[0].angularStiffness = 1e-3;
@@ -88,7 +91,8 @@ double turnedBy(double torque) {
   const RunResult run = runFor(scene, 2.5);
   EXPECT_TRUE(run.report.finite);
   EXPECT_LT(run.report.penetrationMax, 1.5e-3);
-  for (const Notice& notice : run.report.notices) EXPECT_FALSE(isGrave(notice.kind)) << noticeName(notice.kind) << " " << notice.subject;
+  for (const Notice& notice : run.report.notices)
+    EXPECT_FALSE(isGrave(notice.kind)) << noticeName(notice.kind) << " " << notice.subject;
   const auto model = compileModel(joint(), scene).value();
   for (const PartReading& part : readScene(*model, run.state, run.contacts).parts)
     if (part.id == "humerus") return 2 * std::atan2(part.q_WB.y(), part.q_WB.w()) * 180 / 3.14159265;
