@@ -75,8 +75,8 @@ int runProgram(int argc, char** argv) {
   addDevicesCommand(app, status);
   addStudyCommand(app, status);
   addRecordsCommand(app, status);
-  app.footer("SCENARIO is a file, builtin:arthroscopy, builtin:palpation, builtin:tour or builtin:landmarks; JOINT a folder, builtin:shoulder or\n"
-             "builtin:shoulder-superficial.\n"
+  app.footer("SCENARIO is a file, builtin:arthroscopy, builtin:arthroscopy-full, builtin:palpation, builtin:tour or builtin:landmarks;\n"
+             "JOINT a folder, builtin:shoulder, builtin:shoulder-capsule or builtin:shoulder-superficial.\n"
              "Exit status: 0 done, 1 a check did not hold, 2 bad input or usage.");
 
   if (const std::string word = mistypedCommand(app, argc, argv); !word.empty())

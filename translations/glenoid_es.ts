@@ -633,6 +633,98 @@
         <source>Ulnar collateral ligament</source>
         <translation>Ligamento colateral cubital</translation>
     </message>
+    <message>
+        <source>Right shoulder with capsule</source>
+        <translation>Hombro derecho con cápsula</translation>
+    </message>
+    <message>
+        <source>Teres minor</source>
+        <translation>Redondo menor</translation>
+    </message>
+    <message>
+        <source>Capsule of the shoulder joint</source>
+        <translation>Cápsula de la articulación del hombro</translation>
+    </message>
+    <message>
+        <source>Superior glenohumeral ligament</source>
+        <translation>Ligamento glenohumeral superior</translation>
+    </message>
+    <message>
+        <source>Middle glenohumeral ligament</source>
+        <translation>Ligamento glenohumeral medio</translation>
+    </message>
+    <message>
+        <source>Inferior glenohumeral ligament</source>
+        <translation>Ligamento glenohumeral inferior</translation>
+    </message>
+    <message>
+        <source>Glenohumeral ligaments</source>
+        <translation>Ligamentos glenohumerales</translation>
+    </message>
+    <message>
+        <source>Origo: margo lateralis scapulae (origin on the lateral border)</source>
+        <translation>Origo: margo lateralis scapulae (origen en el borde lateral)</translation>
+    </message>
+    <message>
+        <source>Insertio: tuberculum majus (insertion, inferior facet)</source>
+        <translation>Insertio: tuberculum majus (inserción, faceta inferior)</translation>
+    </message>
+    <message>
+        <source>Septum to the infraspinatus</source>
+        <translation>Tabique con el infraespinoso</translation>
+    </message>
+    <message>
+        <source>Collum scapulae (end on the neck of the scapula)</source>
+        <translation>Collum scapulae (extremo en el cuello de la escápula)</translation>
+    </message>
+    <message>
+        <source>Collum anatomicum (end on the anatomical neck)</source>
+        <translation>Collum anatomicum (extremo en el cuello anatómico)</translation>
+    </message>
+    <message>
+        <source>Recessus axillaris (axillary pouch)</source>
+        <translation>Recessus axillaris (receso axilar)</translation>
+    </message>
+    <message>
+        <source>Under the supraspinatus</source>
+        <translation>Bajo el supraespinoso</translation>
+    </message>
+    <message>
+        <source>Under the infraspinatus</source>
+        <translation>Bajo el infraespinoso</translation>
+    </message>
+    <message>
+        <source>Under the subscapularis</source>
+        <translation>Bajo el subescapular</translation>
+    </message>
+    <message>
+        <source>Under the teres minor</source>
+        <translation>Bajo el redondo menor</translation>
+    </message>
+    <message>
+        <source>Under the coracohumeral ligament</source>
+        <translation>Bajo el ligamento coracohumeral</translation>
+    </message>
+    <message>
+        <source>Facies capsularis (side on the capsule)</source>
+        <translation>Facies capsularis (cara sobre la cápsula)</translation>
+    </message>
+    <message>
+        <source>Labrum glenoidale (end at the labrum)</source>
+        <translation>Labrum glenoidale (extremo en el rodete)</translation>
+    </message>
+    <message>
+        <source>Porta posterior (posterior portal, soft spot)</source>
+        <translation>Porta posterior (portal posterior, punto blando)</translation>
+    </message>
+    <message>
+        <source>Porta anterior (anterior portal, rotator interval)</source>
+        <translation>Porta anterior (portal anterior, intervalo de los rotadores)</translation>
+    </message>
+    <message>
+        <source>Porta lateralis (lateral portal)</source>
+        <translation>Porta lateralis (portal lateral)</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::AuthorDocks</name>
@@ -3254,6 +3346,10 @@
     <message>
         <source>&amp;Arthroscopy of the shoulder</source>
         <translation>&amp;Artroscopia del hombro</translation>
+    </message>
+    <message>
+        <source>Arthroscopy with &amp;capsule and ligaments</source>
+        <translation>Artroscopia con &amp;cápsula y ligamentos</translation>
     </message>
     <message>
         <source>&amp;Palpation of the shoulder</source>

@@ -45,7 +45,7 @@ QString starterTitle(const std::string& kind) {
   return QString::fromStdString(kind);
 }
 
-constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:palpation", "builtin:tour", "builtin:landmarks", "builtin:shoulder"};
+constexpr const char* kBuiltins[] = {"builtin:arthroscopy", "builtin:arthroscopy-full", "builtin:palpation", "builtin:tour", "builtin:landmarks", "builtin:shoulder"};
 
 }  // namespace
 
@@ -69,11 +69,10 @@ void MainWindow::makeFileActions() {
   for (const char* name : kBuiltins) {
     m_actions.add(QLatin1String(name), {}, {}, [name] {
       const QString id = QLatin1String(name);
-      const QString text = id.endsWith(u"arthroscopy") ? tr("&Arthroscopy of the shoulder")
-                           : id.endsWith(u"palpation") ? tr("&Palpation of the shoulder")
-                           : id.endsWith(u"tour")      ? tr("&Tour of the shoulder, with tasks")
-                           : id.endsWith(u"landmarks") ? tr("&Landmarks by palpation, with tasks")
-                                                       : tr("The &shoulder alone");
+      const QString text = id.endsWith(u"arthroscopy")        ? tr("&Arthroscopy of the shoulder")
+                           : id.endsWith(u"arthroscopy-full") ? tr("Arthroscopy with &capsule and ligaments")
+                           : id.endsWith(u"palpation")        ? tr("&Palpation of the shoulder")
+                                                              : tr("The &shoulder alone");
       return Actions::Words{text, tr("Open a scene that ships with the program")};
     }, [this, name] {
       if (mayDiscard()) openScene(QLatin1String(name));

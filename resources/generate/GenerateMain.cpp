@@ -8,12 +8,14 @@
 
 int main(int argc, char** argv) {
   const std::string layers = argc == 3 ? argv[2] : "deep";
-  if (argc < 2 || argc > 3 || (layers != "deep" && layers != "superficial")) {
-    std::fprintf(stderr, "usage: generate_shoulder OUT.joint [deep|superficial]\n");
+  if (argc < 2 || argc > 3 || (layers != "deep" && layers != "superficial" && layers != "capsule")) {
+    std::fprintf(stderr, "usage: generate_shoulder OUT.joint [deep|superficial|capsule]\n");
     return 2;
   }
   const glenoid::Result<glenoid::Joint> joint =
-      layers == "deep" ? glenoid::generate::makeShoulder() : glenoid::generate::makePalpation();
+      layers == "deep"      ? glenoid::generate::makeShoulder()
+                                                   : layers == "capsule" ? glenoid::generate::makeWithCapsule()
+                                                                         : glenoid::generate::makePalpation();
   if (!joint) {
     std::fprintf(stderr, "%s\n", glenoid::toLogLine(joint.error()).c_str());
     return 1;

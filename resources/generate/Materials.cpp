@@ -67,7 +67,7 @@ std::vector<Material> shoulderMaterials() {
 std::vector<MaterialUse> materialsOf(const std::string& id) {
   if (id == "scapula") return {{"cortical-bone", ""}, {"cartilage", "glenoid-cartilage"}};
   if (id == "humerus") return {{"cortical-bone", ""}, {"cartilage", "head-cartilage"}};
-  if (id == "supraspinatus" || id == "infraspinatus" || id == "subscapularis")
+  if (id == "supraspinatus" || id == "infraspinatus" || id == "subscapularis" || id == "teres-minor")
     return {{"muscle-relaxed", ""}, {"cuff-tendon", "tendon"}};
   if (id == "coracoacromial-ligament") return {{"coracoacromial", ""}};
   if (id == "coracohumeral-ligament") return {{"coracohumeral", ""}};

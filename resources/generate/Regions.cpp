@@ -185,6 +185,11 @@ Region common(const Region& a, const Region& b) {
   return make(a.id, a.name, a.kind, std::move(both));
 }
 
+std::vector<Region> labrumTendonRegions(const TriMesh& visual, int around, int along) {
+  return {regionAlong(visual, around, along, "root", "Radix (root in the labrum)", "footprint", 0, 0.3),
+          regionAlong(visual, around, along, "tendon-end", "Finis (end in the biceps tendon)", "footprint", 0.72, 1)};
+}
+
 std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, const Bones& bones) {
   const auto nearScapula = [&](const Vec3& p) { return distance(bones.scapulaShape, p) < kAttached; };
   const auto nearHumerus = [&](const Vec3& p) { return distance(bones.humerusShape, p) < kAttached; };
@@ -202,6 +207,10 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
     return muscleRegions(visual, bones, subscapularisPath(), 0.76, 16.5,
                          "Origo: fossa subscapularis (origin in front)",
                          "Insertio: tuberculum minus (insertion, lesser tubercle)");
+  if (id == "teres-minor")
+    return muscleRegions(visual, bones, teresMinorPath(), 0.76, 14,
+                         "Origo: margo lateralis scapulae (origin on the lateral border)",
+                         "Insertio: tuberculum majus (insertion, inferior facet)");
   if (id == "coracoacromial-ligament")
     return {common(regionWhere(visual, "acromial-end", "Acromion (end on the acromion)", "footprint",
                                nearScapula),
@@ -230,10 +239,7 @@ std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, cons
                         "landmark", [at = scapula::glenoid().toWorld({0.2, 19.5, 5.8})](const Vec3& p) {
                           return (p - at).norm() < 8;
                         })};
-  if (id == "labrum-tendon")
-    return {
-        regionAlong(visual, 8, 8, "root", "Radix (root in the labrum)", "footprint", 0, 0.3),
-        regionAlong(visual, 8, 8, "tendon-end", "Finis (end in the biceps tendon)", "footprint", 0.72, 1)};
+  if (id == "labrum-tendon") return labrumTendonRegions(visual, kAnchorAround, kAnchorAlong);
   if (id == "biceps-tendon")
     return {regionAlong(visual, 6, 22, "intra-articular", "Pars intraarticularis (part over the head)",
                         "tendon", 0, 0.36),

@@ -20,6 +20,9 @@ Region regionAlong(const TriMesh& visual, int around, int along, std::string id,
 /// Triangles of both.
 Region common(const Region& a, const Region& b);
 
+/// Root and end of the biceps anchor, made of so many rings of so many points.
+std::vector<Region> labrumTendonRegions(const TriMesh& visual, int around, int along);
+
 /// Regions and landmarks of a part by its id; landmarks in metres. Empty for an unknown id.
 std::vector<Region> regionsOf(const std::string& id, const TriMesh& visual, const Bones& bones);
 std::vector<Landmark> landmarksOf(const std::string& id, const Bones& bones);

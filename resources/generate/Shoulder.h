@@ -18,6 +18,10 @@ Result<Joint> makeShoulder();
 JointRecipe palpationRecipe();
 Result<Joint> makePalpation();
 
+/// The same with capsule, glenohumeral ligaments, teres minor and portals, for arthroscopy.
+JointRecipe capsuleRecipe();
+Result<Joint> makeWithCapsule();
+
 /// Millimetres to metres.
 std::shared_ptr<const TriMesh> inMetres(TriMesh mesh);
 /// A coupling of a wanted total stiffness, N/m; stated per area with three figures.

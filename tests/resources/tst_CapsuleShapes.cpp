@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of capsule, glenohumeral ligaments, teres minor and portals, made round the bones that ship, against what is published
-// of them. The lines of the table start with '|'.
+// Shapes of capsule, glenohumeral ligaments, teres minor and portals, made round the bones that ship, against
+// what is published of them. The lines of the table start with '|'.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,14 +32,16 @@ const Bones& bones() {
     b.humerusShape = generate::humerus::field(), b.scapulaShape = generate::scapula::field();
     b.humerus = {visualOf("humerus"), inMillimetres(*partOf(shippedShoulder(), "humerus").collision)};
     b.scapula = {visualOf("scapula"), inMillimetres(*partOf(shippedShoulder(), "scapula").collision)};
-    b.humerusCoarse = generate::fieldOf(b.humerus.collision), b.scapulaCoarse = generate::fieldOf(b.scapula.collision);
+    b.humerusCoarse = generate::fieldOf(b.humerus.collision),
+    b.scapulaCoarse = generate::fieldOf(b.scapula.collision);
     return b;
   }();
   return made;
 }
 
 const CapsuleShapes& shapes() {
-  static const CapsuleShapes made(bones(), {visualOf("labrum"), visualOf("labrum-tendon"), visualOf("biceps-tendon")});
+  static const CapsuleShapes made(bones(),
+                                  {visualOf("labrum"), visualOf("labrum-tendon"), visualOf("biceps-tendon")});
   return made;
 }
 
@@ -83,8 +85,10 @@ TEST(CapsuleShapes, capsuleIsAThinSleeveBetweenTheBones) {
   const TriMesh wall = shapes().capsule().visual;
   const MeshHealth health = healthOf(wall);
   // The reference body's shell holds 2105 mm3 between two sides 0.47 mm apart; its area times 1.0975 squared.
-  expectMeasure("capsule, area of one side", health.area / 2, "mm2", {5390, 1080, "anatomy.json x 1.0975, a fifth"});
-  expectMeasure("capsule, thickness", 2 * health.volume / health.area, "mm", {2.25, 0.75, "anatomy.md 1: 1.5 to 3"});
+  expectMeasure("capsule, area of one side", health.area / 2, "mm2",
+                {5390, 1080, "anatomy.json x 1.0975, a fifth"});
+  expectMeasure("capsule, thickness", 2 * health.volume / health.area, "mm",
+                {2.25, 0.75, "anatomy.md 1: 1.5 to 3"});
   const TriangleTree scapula(bones().scapula.visual), humerus(bones().humerus.visual);
   int inBone = 0;
   for (const Vec3& p : wall.vertices) inBone += scapula.inside(p) || humerus.inside(p);
@@ -96,7 +100,8 @@ TEST(CapsuleShapes, capsuleHangsInAPouchWhileTheArmHangs) {
   double lowest = 0;
   for (const Vec3& p : wall.vertices) lowest = std::min(lowest, p.y());
   const double rim = landmark(partOf(shippedShoulder(), "scapula"), "glenoid-inferior").y();
-  expectMeasure("axillary pouch, below the glenoid's lower end", rim - lowest, "mm", {13, 6, "redundant in adduction"});
+  expectMeasure("axillary pouch, below the glenoid's lower end", rim - lowest, "mm",
+                {13, 6, "redundant in adduction"});
 }
 
 TEST(CapsuleShapes, ligamentsRunBetweenThePlacesOfTheReferenceBody) {
@@ -112,20 +117,30 @@ TEST(CapsuleShapes, ligamentsRunBetweenThePlacesOfTheReferenceBody) {
   for (const Row& row : rows) {
     const std::vector<Region> regions = shapes().ligamentRegions(row.surfaces.visual, row.id);
     const std::string name = std::string(row.id) + " glenohumeral ligament";
-    expectMeasure(name + ", end at the labrum from its place", (middleOf(row.surfaces.visual, regions, "glenoid-end") - row.scapula).norm(), "mm", {0, 9, "anatomy.md 2.6"});
-    expectMeasure(name + ", end on the humerus from its place", (middleOf(row.surfaces.visual, regions, "humeral-end") - row.humerus).norm(), "mm", {0, 9, "anatomy.md 2.6"});
-    expectMeasure(name + ", length", principalExtents(row.surfaces.visual).size[0], "mm", {row.length, 0.2 * row.length, "anatomy.md 2.6 x 1.0975, a fifth"});
+    expectMeasure(name + ", end at the labrum from its place",
+                  (middleOf(row.surfaces.visual, regions, "glenoid-end") - row.scapula).norm(), "mm",
+                  {0, 9, "anatomy.md 2.6"});
+    expectMeasure(name + ", end on the humerus from its place",
+                  (middleOf(row.surfaces.visual, regions, "humeral-end") - row.humerus).norm(), "mm",
+                  {0, 9, "anatomy.md 2.6"});
+    const Extents extents = principalExtents(row.surfaces.visual);
+    expectMeasure(name + ", length", extents.size[0], "mm",
+                  {row.length, 0.2 * row.length, "anatomy.md 2.6 x 1.0975, a fifth"});
+    expectMeasure(name + ", width", extents.size[1], "mm", {13, 4, "anatomy.md 2.6 x 1.0975"});
   }
   const MeshHealth hammock = healthOf(shapes().inferior().visual);
-  expectMeasure("inferior glenohumeral ligament, thickness", 2 * hammock.volume / hammock.area, "mm", {1.5, 0.5, "with the wall 1.5 to 3"});
+  expectMeasure("inferior glenohumeral ligament, thickness", 2 * hammock.volume / hammock.area, "mm",
+                {1.5, 0.5, "with the wall 1.5 to 3"});
 }
 
 TEST(TeresMinor, measuresAsPublished) {
   const TriMesh above = visualOf("infraspinatus");
   const Surfaces muscle = generate::teresMinor(bones(), above);
   expectSound("teres minor", muscle, 0);
-  expectMeasure("teres minor, volume", enclosedVolume(muscle.visual) / 1e3, "cm3", {37.5, 12.5, "anatomy.md 2.3 (25 to 30), 2.4 x 1.32 (50)"});
-  expectMeasure("teres minor, length", principalExtents(muscle.visual).size[0], "mm", {156, 31, "anatomy.md 2.4 x 1.0975, a fifth"});
+  expectMeasure("teres minor, volume", enclosedVolume(muscle.visual) / 1e3, "cm3",
+                {37.5, 12.5, "anatomy.md 2.3 (25 to 30), 2.4 x 1.32 (50)"});
+  expectMeasure("teres minor, length", principalExtents(muscle.visual).size[0], "mm",
+                {156, 31, "anatomy.md 2.4 x 1.0975, a fifth"});
   const TriangleTree infraspinatus(above);
   int inside = 0;
   for (const Vec3& p : muscle.visual.vertices) inside += infraspinatus.inside(p);
@@ -141,27 +156,35 @@ Vec3 portal(const char* id) {
 TEST(Portals, lieWhereTheyAreCut) {
   const Part& scapula = partOf(shippedShoulder(), "scapula");
   const Vec3 angle = landmark(scapula, "acromial-angle"), posterior = portal("portal-posterior");
-  expectMeasure("posterior portal, below the acromial angle", angle.y() - posterior.y(), "mm", {20, 10, "PMC7695594 and others: 15 to 30"});
-  expectMeasure("posterior portal, medial of it", angle.z() - posterior.z(), "mm", {15, 5, "the same: 10 to 20"});
+  expectMeasure("posterior portal, below the acromial angle", angle.y() - posterior.y(), "mm",
+                {20, 10, "PMC7695594 and others: 15 to 30"});
+  expectMeasure("posterior portal, medial of it", angle.z() - posterior.z(), "mm",
+                {15, 5, "the same: 10 to 20"});
   const Vec3 anterior = portal("portal-anterior"), tip = landmark(scapula, "coracoid-tip");
   EXPECT_GT(anterior.z(), tip.z()) << "lateral of the coracoid";
   EXPECT_LT((anterior - tip).norm(), 25);
   const Vec3 lateral = portal("portal-lateral"), edge = landmark(scapula, "acromion-lateral");
-  expectMeasure("lateral portal, below the side edge of the acromion", edge.y() - lateral.y(), "mm", {25, 10, "20 to 30"});
+  expectMeasure("lateral portal, below the side edge of the acromion", edge.y() - lateral.y(), "mm",
+                {25, 10, "20 to 30"});
   EXPECT_GT(lateral.z(), edge.z() + 20);
 }
 
 TEST(Portals, theWayIntoTheJointIsFreeOfBone) {
   const Part& scapula = partOf(shippedShoulder(), "scapula");
-  const Vec3 centre = landmark(scapula, "glenoid-centre"), top = landmark(scapula, "glenoid-superior"), bottom = landmark(scapula, "glenoid-inferior");
-  const Vec3 up = (top - bottom).normalized(), out = (-centre).normalized();  // the head's centre is the origin
+  const Vec3 centre = landmark(scapula, "glenoid-centre"), top = landmark(scapula, "glenoid-superior"),
+             bottom = landmark(scapula, "glenoid-inferior");
+  const Vec3 up = (top - bottom).normalized(),
+             out = (-centre).normalized();  // the head's centre is the origin
   const TriangleTree both[] = {TriangleTree(bones().scapula.visual), TriangleTree(bones().humerus.visual)};
-  const Vec3 forward = (landmark(scapula, "glenoid-anterior") - landmark(scapula, "glenoid-posterior")).normalized();
+  const Vec3 forward =
+      (landmark(scapula, "glenoid-anterior") - landmark(scapula, "glenoid-posterior")).normalized();
   // From behind to the middle of the upper gap; from in front, past the head, to its front.
-  const std::pair<const char*, Vec3> ways[] = {{"portal-posterior", centre + 3 * out + 12 * up}, {"portal-anterior", centre + 6 * out + 12 * up + 6 * forward}};
+  const std::pair<const char*, Vec3> ways[] = {{"portal-posterior", centre + 3 * out + 12 * up},
+                                               {"portal-anterior", centre + 6 * out + 12 * up + 6 * forward}};
   for (const auto& [id, gap] : ways) {
     const Vec3 way = gap - portal(id);
-    for (const TriangleTree& bone : both) EXPECT_FALSE(bone.cast(portal(id), way.normalized(), way.norm()).has_value()) << id;
+    for (const TriangleTree& bone : both)
+      EXPECT_FALSE(bone.cast(portal(id), way.normalized(), way.norm()).has_value()) << id;
   }
 }
 

@@ -126,5 +126,13 @@ TEST(GenerateShoulder, givesTheLayersForPalpationThatShip) {
       << "run generate_shoulder OUT superficial and commit its answer";
 }
 
+TEST(GenerateShoulder, givesTheJointWithItsCapsuleThatShips) {
+  const Result<Joint> made = makeWithCapsule();
+  ASSERT_TRUE(made.ok());
+  const Result<Joint> shipped = loadJoint(GLENOID_SOURCE_DIR "/resources/joints/shoulder-capsule.joint");
+  ASSERT_TRUE(shipped.ok()) << toLogLine(shipped.error());
+  EXPECT_EQ(jointHash(*made), jointHash(withoutDents(*shipped))) << "run generate_shoulder OUT capsule and commit its answer";
+}
+
 }  // namespace
 }  // namespace glenoid::generate

@@ -13,7 +13,7 @@ namespace {
 
 TEST(AnatomyNames, coverTheShippedJointsAndNothingElse) {
   std::set<std::string> shipped;
-  for (const char* name : {"shoulder", "shoulder-superficial"}) {
+  for (const char* name : {"shoulder", "shoulder-superficial", "shoulder-capsule"}) {
     const Joint joint = loadJoint(std::string(GLENOID_SOURCE_DIR) + "/resources/joints/" + name + ".joint").value();
     shipped.insert(joint.name);
     for (const Material& material : joint.materials) shipped.insert(material.name);

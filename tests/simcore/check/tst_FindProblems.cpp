@@ -27,7 +27,7 @@ TEST(FindProblems, aSoundJointHasNone) {
 }
 
 TEST(FindProblems, theShippedJointsHaveNoErrors) {
-  for (const char* name : {"shoulder", "shoulder-superficial"}) {
+  for (const char* name : {"shoulder", "shoulder-superficial", "shoulder-capsule"}) {
     const auto joint = loadJoint(std::string(GLENOID_SOURCE_DIR "/resources/joints/") + name + ".joint");
     ASSERT_TRUE(joint.ok()) << toLogLine(joint.error());
     const auto report = ProblemFinder().find(*joint);

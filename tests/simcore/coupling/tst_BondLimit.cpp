@@ -50,7 +50,7 @@ TEST(BondLimit, ofRigidPartsIsTheSofterBones) {
 }
 
 TEST(BondLimit, shippedCouplingsAreTissue) {
-  for (const char* name : {"shoulder", "shoulder-superficial"}) {
+  for (const char* name : {"shoulder", "shoulder-superficial", "shoulder-capsule"}) {
     const auto joint = loadJoint(std::string(GLENOID_SOURCE_DIR "/resources/joints/") + name + ".joint");
     ASSERT_TRUE(joint.ok());
     for (const Coupling& coupling : joint->couplings) EXPECT_FALSE(bondLimitOf(*joint, coupling).exceeded()) << coupling.id;

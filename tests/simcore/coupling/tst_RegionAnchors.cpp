@@ -228,7 +228,7 @@ TEST(RegionAnchors, onlyALineCannotHold) {
 }
 
 TEST(RegionAnchors, shippedCouplingsTurnAsTheirRegions) {
-  for (const char* name : {"shoulder", "shoulder-superficial"}) {
+  for (const char* name : {"shoulder", "shoulder-superficial", "shoulder-capsule"}) {
     const auto joint = loadJoint(std::string(GLENOID_SOURCE_DIR "/resources/joints/") + name + ".joint");
     ASSERT_TRUE(joint.ok());
     std::size_t springs = 0;
