@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "simcore/train/Sight.h"
 
@@ -200,6 +201,8 @@ void TaskJudge::follow(const StepSeen& seen) {
 void TaskJudge::find(const StepSeen& seen) {
   ToolTouch touch;
   const int tool = pressingTool(seen, -1, touch);
+  // What stands somewhere when the question is put, from the one before, is no answer to it.
+  if (!std::exchange(m_asked, true) && tool >= 0 && touch.force >= m_task->forceMin) m_answered_W = tip(seen, tool);
   if (tool < 0 || touch.force < m_task->forceMin) {
     m_still_W.reset();
     m_held = m_record.progress = 0;

@@ -83,6 +83,7 @@ class TaskJudge {
   double m_followed = 0, m_near = 0;  ///< Follow: s since the tip came near, and near of these
   bool m_following = false;
   std::optional<Vec3> m_still_W, m_answered_W;  ///< Find: where the tip stands, and where it last answered
+  bool m_asked = false;               ///< Find: has looked once since it opened
   std::size_t m_ring = 0;             ///< Pass: the next
   std::vector<Vec3> m_before_W;       ///< Pass: tips at the last step
 };
