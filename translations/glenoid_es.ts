@@ -3735,6 +3735,14 @@
         <translation>Tareas</translation>
     </message>
     <message>
+        <source>&amp;Tour of the shoulder, with tasks</source>
+        <translation>&amp;Recorrido del hombro, con tareas</translation>
+    </message>
+    <message>
+        <source>&amp;Landmarks by palpation, with tasks</source>
+        <translation>&amp;Puntos de referencia por palpación, con tareas</translation>
+    </message>
+    <message>
         <source>Save this &amp;run…</source>
         <translation>Guardar este &amp;ejercicio…</translation>
     </message>

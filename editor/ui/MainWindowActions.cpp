@@ -72,6 +72,8 @@ void MainWindow::makeFileActions() {
       const QString text = id.endsWith(u"arthroscopy")        ? tr("&Arthroscopy of the shoulder")
                            : id.endsWith(u"arthroscopy-full") ? tr("Arthroscopy with &capsule and ligaments")
                            : id.endsWith(u"palpation")        ? tr("&Palpation of the shoulder")
+                           : id.endsWith(u"tour")             ? tr("&Tour of the shoulder, with tasks")
+                           : id.endsWith(u"landmarks")        ? tr("&Landmarks by palpation, with tasks")
                                                               : tr("The &shoulder alone");
       return Actions::Words{text, tr("Open a scene that ships with the program")};
     }, [this, name] {
