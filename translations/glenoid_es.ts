@@ -3221,6 +3221,14 @@
 <context>
     <name>glenoid::MainWindow</name>
     <message>
+        <source>Empty the field</source>
+        <translation>Vaciar el campo</translation>
+    </message>
+    <message>
+        <source>Select the whole table</source>
+        <translation>Seleccionar toda la tabla</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
     </message>

@@ -218,7 +218,17 @@ void MainWindow::makeLab(LabServices services) {
 
 // ---- Texts
 
+/// Buttons that Qt puts into tables and fields by itself have no name, which a screen reader would miss.
+void MainWindow::nameInnerButtons() {
+  for (QAbstractButton* button : findChildren<QAbstractButton*>()) {
+    const QLatin1String kind(button->metaObject()->className());
+    if (kind == QLatin1String("QTableCornerButton")) button->setAccessibleName(tr("Select the whole table"));
+    if (kind == QLatin1String("QLineEditIconButton")) button->setAccessibleName(tr("Empty the field"));
+  }
+}
+
 void MainWindow::retranslate() {
+  nameInnerButtons();
   setLocale(QLocale());  // fields for numbers follow the language
   m_actions.retranslate();
   const QStringList menus = {tr("&File"), tr("&Edit"), tr("&View"), tr("&Simulate"), tr("&Help")};

@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   void save();
   void saveAs();
   void saveTo(const QString& path);
+  void nameInnerButtons();
   void exportPicture();
   void saveRun();
   void exportTo();

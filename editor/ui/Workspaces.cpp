@@ -5,6 +5,8 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
+#include <QPointer>
+#include <QTimer>
 #include <QToolBar>
 #include <algorithm>
 
@@ -54,8 +56,12 @@ void Workspaces::arrange(const Workspace& workspace) {
       if (!front) front = dock;
       if (dock && m_window.dockWidgetArea(dock) == Qt::RightDockWidgetArea) side << dock;
     }
-  if (workspace.sideWidth > 0 && !side.isEmpty()) m_window.resizeDocks({side.first()}, {workspace.sideWidth}, Qt::Horizontal);
   if (front) front->raise();
+  if (workspace.sideWidth <= 0 || side.isEmpty()) return;
+  // Docks that were just hidden still hold their places in this turn of the event loop.
+  QTimer::singleShot(0, this, [this, dock = QPointer<QDockWidget>(side.first()), width = workspace.sideWidth, id = workspace.id] {
+    if (dock && m_current == id) m_window.resizeDocks({dock}, {width}, Qt::Horizontal);
+  });
 }
 
 }  // namespace glenoid

@@ -90,7 +90,7 @@ EffectsPanel::EffectsPanel(Document& document, PlayLink& link, QWidget* parent) 
       m_series.clear();
       m_lastMs.clear();
     }
-    if (isVisible()) fillEffects();
+    if (m_watched) fillEffects();
   });
   makeRows();
   retranslate();
@@ -112,17 +112,12 @@ void EffectsPanel::makeRows() {
   }
 }
 
-void EffectsPanel::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  m_link.meter().setWanted(true);
+void EffectsPanel::setWatched(bool watched) {
+  m_watched = watched;
+  m_link.meter().setWanted(watched);
+  if (!watched) return m_timer.stop();
   m_timer.start();
   look();
-}
-
-void EffectsPanel::hideEvent(QHideEvent* event) {
-  m_timer.stop();
-  m_link.meter().setWanted(false);
-  QWidget::hideEvent(event);
 }
 
 void EffectsPanel::look() {
@@ -195,7 +190,7 @@ void EffectsPanel::retranslate() {
   m_islands->setColumnWidth(kResidual, 70);
   m_islands->setColumnWidth(kWhy, 260);
   m_effects->setRowCount(0);  // the switches' words
-  if (isVisible()) look();
+  if (m_watched) look();
 }
 
 void EffectsPanel::changeEvent(QEvent* event) {

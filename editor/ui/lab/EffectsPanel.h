@@ -23,10 +23,10 @@ class EffectsPanel : public QWidget {
  public:
   EffectsPanel(Document& document, PlayLink& link, QWidget* parent = nullptr);
   const StepSeries& series() const { return m_series; }
+  /// Whether somebody sees it.
+  void setWatched(bool watched);
 
  protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
@@ -44,6 +44,7 @@ class EffectsPanel : public QWidget {
   TimesPlot* m_times;
   QLabel *m_summary, *m_effectsTitle, *m_islandsTitle;
   QTableWidget *m_effects, *m_islands;
+  bool m_watched = false;
   QTimer m_timer;
   QElapsedTimer m_clock;
 };

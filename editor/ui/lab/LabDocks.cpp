@@ -24,6 +24,8 @@ LabDocks::LabDocks(QMainWindow& window, Actions& actions, Document& document, Pl
   addDock("lab.accuracy", m_accuracy);
   addDock("lab.stability", m_stability);
   addDock("lab.effects", m_effects);
+  // A panel behind another's tab is shown to Qt and seen by nobody; its dock knows.
+  connect(m_docks.back(), &QDockWidget::visibilityChanged, m_effects, &EffectsPanel::setWatched);
   m_report.setStandardOutputFile(QProcess::nullDevice());
   connect(&m_report, &QProcess::finished, this, [this](int status) {
     if (status == 0) return emit reportWritten(m_report.property("file").toString());

@@ -69,7 +69,7 @@ class Lab : public GuiTest {
 TEST_F(Lab, workspacesShowTheirDocksAndComeBackAsTheyWereLeft) {
   EXPECT_TRUE(child<QDockWidget>("dock.lab.accuracy")->isVisible());
   EXPECT_FALSE(child<QDockWidget>("dock.properties")->isVisible());
-  EXPECT_GE(child<QDockWidget>("dock.lab.accuracy")->width(), 520);
+  EXPECT_TRUE(until([this] { return child<QDockWidget>("dock.lab.accuracy")->width() >= 520; })) << child<QDockWidget>("dock.lab.accuracy")->width();
   action("workspace.author")->trigger();
   EXPECT_TRUE(until([this] { return child<QDockWidget>("dock.properties")->isVisible(); }));
   EXPECT_TRUE(child<QDockWidget>("dock.lab.accuracy")->isHidden());
