@@ -134,7 +134,8 @@ Result<Done> saveScene(const Scene& scene, const std::string& path) {
   Scenario scenario = scene.scenario;
   scenario.joint = jointName;
   // What was relative to the old place would not be found from the new one; a built-in input is found anywhere.
-  if (scenario.input.rfind("builtin:", 0) != 0) scenario.input.clear();
+  const bool stays = before && before->input == scenario.input;
+  if (!stays && scenario.input.rfind("builtin:", 0) != 0) scenario.input.clear();
   const std::string jointFolder = (folder / jointName).string();
   // Two files cannot change at once. Should the program be killed between them, what lies there must still fit together.
   if (const auto bridged = bridgeScenario(scene.joint, scenario, path, jointFolder); !bridged) return bridged;

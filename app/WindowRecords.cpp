@@ -20,12 +20,19 @@ namespace glenoid {
 WindowRecords::WindowRecords(Document& document, PlayLink& link, TasksPanel& panel, std::string place, QObject* parent)
     : QObject(parent), m_document(document), m_link(link), m_panel(panel), m_place(std::move(place)) {
   connect(&link, &PlayLink::snapshotChanged, this, &WindowRecords::look);
+  // A model or a recording that changes under way begins another training; what was begun stays as not ended.
+  const auto begunAnew = [this] {
+    m_recorder.reset();
+    m_kept = false;
+  };
+  connect(&link, &PlayLink::compiled, this, begunAnew);
+  connect(&link, &PlayLink::followChanged, this, begunAnew);
   connect(&panel, &TasksPanel::runsWanted, this, &WindowRecords::showRuns);
 }
 
 void WindowRecords::look() {
   const Snapshot& snapshot = m_link.snapshot();
-  if (!snapshot.training || !snapshot.model || snapshot.model->scenario.training.tasks.empty()) {
+  if (m_link.hasGuest() || !snapshot.training || !snapshot.model || snapshot.model->scenario.training.tasks.empty()) {
     m_recorder.reset();
     return;
   }
@@ -38,7 +45,7 @@ void WindowRecords::look() {
   if (m_kept || m_panel.trainee().isEmpty() || snapshot.time == 0) return;
   if (!m_recorder) begin();
   if (const auto begun = m_recorder->begun(); begun && !*begun) return settle(sentenceOf(begun->error()));
-  if (const auto finished = m_recorder->finished()) return settle(*finished ? tr("Kept for %1.").arg(m_panel.trainee()) : sentenceOf(finished->error()));
+  if (const auto finished = m_recorder->finished()) return settle(*finished ? tr("Kept for %1.").arg(m_name) : sentenceOf(finished->error()));
   if (m_closing) return;
   if (snapshot.training->finished) return close(*snapshot.training, snapshot.time);
   if (m_recorder->isDue()) m_recorder->tell(snapshot.time, *snapshot.training);
@@ -46,7 +53,8 @@ void WindowRecords::look() {
 
 void WindowRecords::begin() {
   const std::string scenario = m_document.path().isEmpty() ? m_document.scenario().id : m_document.path().toStdString();
-  m_recorder = std::make_unique<RunRecorder>(RunRecorder::Who{m_place, m_panel.trainee().toStdString(), scenario, buildId(), m_link.snapshot().model->jointHash});
+  m_name = m_panel.trainee();
+  m_recorder = std::make_unique<RunRecorder>(RunRecorder::Who{m_place, m_name.toStdString(), scenario, buildId(), m_link.snapshot().model->jointHash});
   m_closing = false;
 }
 

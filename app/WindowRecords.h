@@ -32,6 +32,7 @@ class WindowRecords : public QObject {
   TasksPanel& m_panel;
   const std::string m_place;
   std::unique_ptr<RunRecorder> m_recorder;
+  QString m_name;            ///< for whom
   double m_seconds = 0;      ///< simulated, when it was last looked at
   bool m_closing = false;    ///< its end is being written
   bool m_kept = false;       ///< this run has its end in the records, or cannot be kept

@@ -9,18 +9,18 @@
 #include "app/Resources.h"
 #include "app/commands/AccuracyText.h"
 #include "app/commands/Console.h"
-#include "app/commands/JsonObject.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/StudyCommand.h"
 #include "app/commands/StudyFiles.h"
-#include "app/commands/SweepFiles.h"
 #include "app/commands/StudyNews.h"
+#include "app/commands/SweepFiles.h"
 #include "app/commands/TableText.h"
 #include "app/plot/PlotFile.h"
 #include "editor/core/Sentences.h"
 #include "simcore/base/Hash.h"
 #include "simcore/file/AtomicWrite.h"
 #include "simcore/file/Json.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/live/BuildId.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/ResourcePaths.h"
@@ -89,8 +89,6 @@ AccuracyOptions smallestAccuracy() {
   options.slowWindows = 1;
   return options;
 }
-
-std::string inFolder(const std::string& folder, const std::string& leaf) { return (std::filesystem::path(folder) / leaf).string(); }
 
 Result<Done> saveTables(const AccuracyResult& result, const Wishes& wishes, const OpenScene& scene) {
   JsonValue json = machineJson();
@@ -219,7 +217,9 @@ Result<std::optional<AccuracyResult>> measure(const Wishes& wishes, const StudyS
     files.fail(sentenceOf(result.error()).toStdString());
     return result.error();
   }
-  if (const auto finished = files.finish(toJson(*result)); !finished) return finished.error();
+  // Of a sweep in one part the copy to go on from stays until its tables and plots are there.
+  if (!wishes.shard.empty())
+    if (const auto finished = files.finish(toJson(*result)); !finished) return finished.error();
   return std::optional<AccuracyResult>(std::move(*result));
 }
 
@@ -316,12 +316,16 @@ Result<Done> studied(const Wishes& wishes, const AccuracyWish& wish, const OpenS
   const std::optional<std::size_t> row = chosen ? *chosen : std::nullopt;
   const std::string name = scene.scenario.name.empty() ? scene.scenario.id : scene.scenario.name;
   if (const auto saved = saveTables(*result, wishes, scene); !saved) return saved;
+  if (news) news->documentIsThere();
+  else std::remove(inFolder(wishes.out, kStudyNews).c_str());  // put together from shards: what an older study said here is not of it
   if (const auto saved = savePlots(*result, wishes, name, wish.view, row); !saved) return saved;
   if (row)
     if (const auto saved = saveChosen(result->rows[*row].setting, scene, wishes); !saved) return saved;
   std::string summary = accuracySummary(*result, name, wish.view, row) + machineWords() + ".\n";
   if (row) summary += "Written to " + inFolder(wishes.out, "chosen.scenario.json") + ".\n";
   if (const auto saved = writeWholeFile(inFolder(wishes.out, "summary.txt"), summary); !saved) return saved;
+  if (!wishes.merge)
+    if (const auto finished = SweepFiles(wishes.out, options.shard, 0, sweepOf(study, wishes)).finish(toJson(*result)); !finished) return finished;
   std::fputs(summary.c_str(), stdout);
   return chosen ? Result<Done>(Done{}) : Result<Done>(chosen.error());
 }
@@ -337,12 +341,7 @@ Result<Done> accuracy(const Wishes& wishes) {
   if (!scene) return scene.error();
   const Result<AccuracyWish> wish = wishOf(wishes, !scene->scenario.tools.empty());
   if (!wish) return wish.error();
-  Result<std::optional<Recording>> input = openShippedInput(wishes.scenario, scene->scenario);
-  if (!wishes.input.empty()) {
-    Result<Recording> named = openRecording(wishes.input);
-    if (!named) return named.error();
-    input = std::optional<Recording>(std::move(*named));
-  }
+  const Result<std::optional<Recording>> input = openInput(wishes.input, wishes.scenario, scene->scenario);
   if (!input) return input.error();
   if (const auto good = prepareFolder(wishes.out); !good) return good;
 

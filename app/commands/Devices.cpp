@@ -30,7 +30,10 @@ Result<HeldTools> holdTools(const std::vector<DeviceWish>& wishes, const Scenari
   const auto taken = [&](const std::string& tool) {
     return std::any_of(held.hands.begin(), held.hands.end(), [&](const LiveHand& hand) { return hand.tool == tool; });
   };
-  for (const DeviceWish& wish : wishes) {
+  // Who names a tool has it before those who take what is left.
+  std::vector<DeviceWish> inTurn = wishes;
+  std::stable_partition(inTurn.begin(), inTurn.end(), [](const DeviceWish& wish) { return !wish.tool.empty(); });
+  for (const DeviceWish& wish : inTurn) {
     const Result<DeviceAddress> address = deviceAddress(wish.address);
     if (!address) return address.error();
     std::string tool = wish.tool;

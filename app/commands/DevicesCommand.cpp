@@ -9,7 +9,7 @@
 #include "app/commands/Commands.h"
 #include "app/commands/Console.h"
 #include "app/commands/Devices.h"
-#include "app/commands/JsonObject.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/haptic/HapticThread.h"
 
 namespace glenoid {

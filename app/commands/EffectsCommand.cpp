@@ -30,10 +30,6 @@ struct Wishes {
   bool quick = false, smallest = false;
 };
 
-std::string inFolder(const std::string& folder, const std::string& leaf) {
-  return (std::filesystem::path(folder) / leaf).string();
-}
-
 /// For tests of the command.
 EffectsOptions smallestEffects() {
   EffectsOptions options = quickEffects();
@@ -117,12 +113,7 @@ Result<Done> saveTables(const EffectsResult& result, const Wishes& wishes, const
 Result<Done> effects(const Wishes& wishes) {
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
-  Result<std::optional<Recording>> input = openShippedInput(wishes.scenario, scene->scenario);
-  if (!wishes.input.empty()) {
-    Result<Recording> named = openRecording(wishes.input);
-    if (!named) return named.error();
-    input = std::optional<Recording>(std::move(*named));
-  }
+  const Result<std::optional<Recording>> input = openInput(wishes.input, wishes.scenario, scene->scenario);
   if (!input) return input.error();
   if (const auto good = prepareFolder(wishes.out); !good) return good;
   EffectsOptions options = wishes.smallest ? smallestEffects()

@@ -4,9 +4,9 @@
 
 #include "app/commands/Console.h"
 #include "app/commands/JointReport.h"
-#include "app/commands/JsonObject.h"
 #include "editor/core/ProblemSentences.h"
 #include "simcore/check/FixProblem.h"
+#include "simcore/file/JsonObject.h"
 
 namespace glenoid {
 namespace {

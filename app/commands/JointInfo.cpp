@@ -4,7 +4,7 @@
 #include "app/PublishedTable.h"
 #include "app/commands/Console.h"
 #include "app/commands/JointReport.h"
-#include "app/commands/JsonObject.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/reading/Readings.h"
 #include "simcore/scene/SceneWords.h"
 

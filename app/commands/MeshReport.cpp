@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "app/commands/Console.h"
-#include "app/commands/JsonObject.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/import/LengthUnit.h"
 
 namespace glenoid {

@@ -91,6 +91,13 @@ Result<std::optional<Recording>> openShippedInput(const std::string& word, const
   return std::optional<Recording>(std::move(*recording));
 }
 
+Result<std::optional<Recording>> openInput(const std::string& named, const std::string& word, const Scenario& scenario) {
+  if (named.empty()) return openShippedInput(word, scenario);
+  Result<Recording> recording = openRecording(named);
+  if (!recording) return recording.error();
+  return std::optional<Recording>(std::move(*recording));
+}
+
 Result<Done> applyEffects(const std::string& list, Effects& effects) {
   std::istringstream words(list);
   std::string word;

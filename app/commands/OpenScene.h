@@ -37,6 +37,9 @@ Result<Recording> openRecording(const std::string& word);
 /// The recording that the scenario ships with; nothing when it names none. `word`: how the scenario was named.
 Result<std::optional<Recording>> openShippedInput(const std::string& word, const Scenario& scenario);
 
+/// The recording that `named` says, as openRecording; where it is empty the one that the scenario ships with.
+Result<std::optional<Recording>> openInput(const std::string& named, const std::string& word, const Scenario& scenario);
+
 /// Sets effects from "friction=off,bursa=on" (also "auto"). Fails with BadUsage naming the word.
 Result<Done> applyEffects(const std::string& list, Effects& effects);
 

@@ -46,13 +46,6 @@ Result<Done> applyWishes(const Wishes& wishes, Scenario& scenario) {
   return applyEffects(wishes.effects, scenario.effects);
 }
 
-Result<std::optional<Recording>> inputOf(const Wishes& wishes, const Scenario& scenario) {
-  if (wishes.input.empty()) return openShippedInput(wishes.scenario, scenario);
-  Result<Recording> recording = openRecording(wishes.input);
-  if (!recording) return recording.error();
-  return std::optional<Recording>(std::move(*recording));
-}
-
 /// A path that cannot be written is said before the run, not after its minutes.
 Result<Done> checkOutputs(const Wishes& wishes) {
   std::vector<const std::string*> paths;
@@ -140,7 +133,7 @@ Result<Done> run(const Wishes& wishes) {
   Result<OpenScene> scene = openScenario(wishes.scenario);
   if (!scene) return scene.error();
   if (const auto set = applyWishes(wishes, scene->scenario); !set) return set.error();
-  const Result<std::optional<Recording>> input = inputOf(wishes, scene->scenario);
+  const Result<std::optional<Recording>> input = openInput(wishes.input, wishes.scenario, scene->scenario);
   if (!input) return input.error();
   const auto model = compileModel(scene->joint, scene->scenario);
   if (!model) return model.error();
@@ -221,8 +214,8 @@ Result<Done> run(const Wishes& wishes) {
   const bool stretchLaw = hasStretchLaw(scene->scenario.profile, options.stepper.paper);
   if (result->recording) result->recording->scenario = wishes.scenario;
 
-  if (recorder)
-    if (const auto kept = recorder->finish(result->report); !kept) return kept;
+  // Whatever becomes of the records, what was asked for as files is written first.
+  const Result<Done> kept = recorder ? recorder->finish(result->report) : Result<Done>(Done{});
   if (result->recording)
     if (const auto saved = saveOutcome(*result->recording, wishes.record); !saved) return saved.error();
   if (!wishes.report.empty())
@@ -235,6 +228,7 @@ Result<Done> run(const Wishes& wishes) {
     if (const auto drawn = drawPicture(**model, result->state, result->contacts, picture, result->dents); !drawn) return drawn.error();
   }
   std::fputs(summaryOf(result->report, **model).c_str(), stdout);
+  if (!kept) return kept;
   for (const Notice& notice : result->report.notices)
     if (notice.kind == NoticeKind::TooDeep || notice.kind == NoticeKind::TimeUp) {
       QString sentence = sentenceOf(notice);

@@ -53,6 +53,7 @@ Result<Done> runGauntlet(const Wishes& wishes, const StabilityScene& scene, Stud
   }
   if (!verdicts) return verdicts.error();
   if (const auto written = writeStability(wishes.out, *verdicts, options, wishes.scene); !written) return written;
+  news.documentIsThere();
   StudyTable summary = stabilitySummary(*verdicts);
   summary.facts = stabilityTable(*verdicts, options).facts;
   std::fputs(tableText(summary, "The gauntlet: worst figures of each case").c_str(), stdout);

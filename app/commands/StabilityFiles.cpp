@@ -6,12 +6,12 @@
 
 #include "app/Resources.h"
 #include "app/commands/Console.h"
-#include "app/commands/JsonObject.h"
 #include "app/commands/OpenScene.h"
 #include "app/commands/Picture.h"
 #include "app/commands/StudyFiles.h"
 #include "app/commands/TableText.h"
 #include "simcore/file/AtomicWrite.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/live/BuildId.h"
 #include "simcore/live/RunReport.h"
 #include "simcore/scene/RecordingFile.h"

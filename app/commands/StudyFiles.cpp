@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/commands/JsonObject.h"
 #include "simcore/file/AtomicWrite.h"
+#include "simcore/file/JsonObject.h"
 #include "simcore/live/BuildId.h"
 #include "simcore/step/Stepper.h"
 #include "simcore/study/Machine.h"
@@ -51,6 +51,8 @@ JsonValue machineJson() {
 std::string machineWords() {
   return processorName() + ", build " + buildId() + ", kernels " + kernelIsa(false) + ", one thread";
 }
+
+std::string inFolder(const std::string& folder, const std::string& leaf) { return (std::filesystem::path(folder) / leaf).string(); }
 
 Result<Done> prepareFolder(const std::string& folder) {
   std::error_code failed;

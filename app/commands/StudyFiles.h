@@ -18,6 +18,9 @@ JsonValue machineJson();
 /// "Intel … , build 1a2b, kernels avx2-fma, one thread": for a plot's or a text's small print.
 std::string machineWords();
 
+/// A file of a study's folder.
+std::string inFolder(const std::string& folder, const std::string& leaf);
+
 /// Makes the folder where it is not there, and tells whether files can be written in it. Fails with FileUnwritable, FileMissing.
 Result<Done> prepareFolder(const std::string& folder);
 

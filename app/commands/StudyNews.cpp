@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands/StudyNews.h"
 
-#include "app/commands/JsonObject.h"
 #include "app/commands/TableText.h"
+#include "simcore/file/JsonObject.h"
 
 namespace glenoid {
 namespace {
@@ -62,8 +62,8 @@ void StudyNews::table(const StudyTable& table) {
 }
 
 void StudyNews::end(const Result<Done>& done) {
-  if (done) say(jsonObject({{"ended", "done"}}));
-  else say(jsonObject({{"ended", done.error().fault == Fault::CheckFailed ? "done" : "failed"}, {"error", jsonOf(done.error())}}));
+  if (done) say(jsonObject({{"ended", "done"}, {"document", m_document}}));
+  else say(jsonObject({{"ended", done.error().fault == Fault::CheckFailed ? "done" : "failed"}, {"document", m_document}, {"error", jsonOf(done.error())}}));
 }
 
 }  // namespace glenoid

@@ -15,7 +15,8 @@ namespace glenoid {
 /// and at once. The first says what is studied, those that follow one of
 ///   {"fraction": 0.25, "what": "cells=2"}            how far it is, at most five times a second
 ///   {"table": "settings", "row": {…}}                a row as it will stand in that table, or what is known of it by now
-///   {"ended": "done" | "failed", "error": {…}}       the last, with a Fault by its word, Place and Arguments
+///   {"ended": "done" | "failed", "document": true, "error": {…}}  the last, with a Fault by its word, Place and Arguments; document: the
+///                                                    study's JSON in the folder is of this run
 /// A file that cannot be written stops no study.
 class StudyNews {
  public:
@@ -28,6 +29,8 @@ class StudyNews {
   /// A row of a table by its place; `more`: members beside its columns.
   void row(const StudyTable& table, std::size_t row, const JsonValue& more = {});
   void table(const StudyTable& table);
+  /// The document with all tables is written.
+  void documentIsThere() { m_document = true; }
   /// `done` is what the command answers.
   void end(const Result<Done>& done);
 
@@ -37,6 +40,7 @@ class StudyNews {
 
   std::FILE* m_file;
   Clock::time_point m_last{};
+  bool m_document = false;
 };
 
 /// The file's name in a study's folder.

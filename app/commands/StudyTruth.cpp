@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <thread>
 
 #include "app/commands/Console.h"
 #include "app/commands/StudyCommand.h"
 #include "app/commands/StudyFiles.h"
 #include "app/commands/StudyTruthFiles.h"
 #include "simcore/live/RunReport.h"
+#include "simcore/study/ThreadsGranted.h"
 
 namespace glenoid {
 namespace {
@@ -36,7 +36,7 @@ Result<Done> studyTruth(const TruthWishes& wishes) {
     options.elements = wishes.elements == "cells" ? Elements::Cells : Elements::Tetrahedra;
   options.threads = wishes.threads > 0
                         ? wishes.threads
-                        : static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 16u));
+                        : std::min(threadsGranted(), 16);
   if (const auto good = prepareFolder(wishes.out); !good) return good;
   Result<std::vector<truth::TruthVerdict>> verdicts = std::vector<truth::TruthVerdict>{};
   {

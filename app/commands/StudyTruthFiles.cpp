@@ -27,10 +27,6 @@ namespace {
 
 constexpr double kStiffestSupport = 1e15;  ///< N/m per m², of the scenario's schema
 
-std::string leafOf(const std::string& folder, const std::string& leaf) {
-  return (std::filesystem::path(folder) / leaf).string();
-}
-
 std::string nameOf(const TruthVerdict& verdict) {
   return verdict.problem->byElements
              ? std::string(verdict.problem->id) + ", " + truth::elementsWord(verdict.elements)
@@ -67,7 +63,7 @@ std::vector<std::span<const TruthVerdict>> byProblem(std::span<const TruthVerdic
 std::vector<TruthOther> truthByCalculix(std::span<const TruthVerdict> verdicts, const std::string& folder) {
   std::vector<TruthOther> others;
   if (!truth::hasCalculix()) return others;
-  const std::string own = leafOf(folder, "calculix");
+  const std::string own = inFolder(folder, "calculix");
   std::error_code failed;
   std::filesystem::create_directories(own, failed);
   for (const auto run : byProblem(verdicts)) {
@@ -139,7 +135,7 @@ std::string truthSummaryText(std::span<const TruthVerdict> verdicts, std::span<c
 
 Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict> verdicts,
                         std::span<const TruthOther> others, const TruthOptions& options) {
-  if (const auto saved = writeWholeFile(leafOf(folder, "truth.csv"), tableCsv(truth::truthTable(verdicts)));
+  if (const auto saved = writeWholeFile(inFolder(folder, "truth.csv"), tableCsv(truth::truthTable(verdicts)));
       !saved)
     return saved;
   JsonValue json = machineJson();
@@ -160,14 +156,14 @@ Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict>
     beside.append(std::move(one));
   }
   json.set("others", std::move(beside));
-  if (const auto saved = writeWholeFile(leafOf(folder, "truth.json"), toText(json)); !saved) return saved;
-  if (const auto saved = writeWholeFile(leafOf(folder, "summary.txt"),
+  if (const auto saved = writeWholeFile(inFolder(folder, "truth.json"), toText(json)); !saved) return saved;
+  if (const auto saved = writeWholeFile(inFolder(folder, "summary.txt"),
                                         truthSummaryText(verdicts, others) + machineWords() + ".\n");
       !saved)
     return saved;
   for (const auto run : byProblem(verdicts))
     if (const auto saved =
-            writePlot(truthPlot(run, others, machineWords()), leafOf(folder, run.front().problem->id));
+            writePlot(truthPlot(run, others, machineWords()), inFolder(folder, run.front().problem->id));
         !saved)
       return saved;
   return Done{};
@@ -175,7 +171,7 @@ Result<Done> writeTruth(const std::string& folder, std::span<const TruthVerdict>
 
 Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVerdict> verdicts,
                               const TruthOptions& options) {
-  const std::string own = leafOf(folder, "scenes");
+  const std::string own = inFolder(folder, "scenes");
   if (const auto good = prepareFolder(own); !good) return good;
   std::string why = "Scenes of problems with known answers, for “glenoid run” and the window.\n";
   for (const auto run : byProblem(verdicts)) {
@@ -199,14 +195,14 @@ Result<Done> writeTruthScenes(const std::string& folder, std::span<const TruthVe
     for (Support& support : scene.scenario.supports)
       support.stiffnessPerArea = std::min(support.stiffnessPerArea, kStiffestSupport);
     scene.scenario.joint = std::string(problem.id) + ".joint";
-    if (const auto saved = saveJoint(scene.joint, leafOf(own, scene.scenario.joint)); !saved) return saved;
+    if (const auto saved = saveJoint(scene.joint, inFolder(own, scene.scenario.joint)); !saved) return saved;
     if (const auto saved =
-            saveScenario(scene.scenario, leafOf(own, std::string(problem.id) + ".scenario.json"));
+            saveScenario(scene.scenario, inFolder(own, std::string(problem.id) + ".scenario.json"));
         !saved)
       return saved;
     why += text("%s.scenario.json: %s\n", problem.id, scene.scenario.description.c_str());
   }
-  return writeWholeFile(leafOf(own, "README.txt"), why);
+  return writeWholeFile(inFolder(own, "README.txt"), why);
 }
 
 }  // namespace glenoid

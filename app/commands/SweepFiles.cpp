@@ -11,17 +11,14 @@
 #include <map>
 
 #include "app/commands/Console.h"
-#include "app/commands/JsonObject.h"
+#include "app/commands/StudyFiles.h"
 #include "simcore/file/Json.h"
+#include "simcore/file/JsonObject.h"
 
 namespace glenoid {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string pathIn(const std::string& folder, const std::string& leaf) {
-  return (fs::path(folder) / leaf).string();
-}
 
 std::string now() {
   const std::time_t time = std::time(nullptr);
@@ -68,9 +65,9 @@ std::string statusWords(const JsonValue& status) {
 SweepFiles::SweepFiles(std::string folder, int shard, int shards, JsonValue of)
     : m_began(now()), m_of(std::move(of)), m_number(shard), m_count(shards) {
   const std::string stem = shards > 0 ? text("shard-%d-of-%d", shard, shards) : "accuracy";
-  if (shards > 0) m_shard = pathIn(folder, stem + ".json");
-  m_partial = pathIn(folder, stem + ".partial.json");
-  m_status = pathIn(folder, stem + ".status.json");
+  if (shards > 0) m_shard = inFolder(folder, stem + ".json");
+  m_partial = inFolder(folder, stem + ".partial.json");
+  m_status = inFolder(folder, stem + ".status.json");
 }
 
 Result<JsonValue> SweepFiles::readOwn(const std::string& path) const {
@@ -149,12 +146,17 @@ Result<SweepStatus> sweepStatus(const std::string& folder) {
     const Result<JsonValue> status = readJson(it->path().string());
     if (!status) return status.error();
     const auto shard = static_cast<int>((*status)["shard"].integer());
-    parts = std::max(parts, static_cast<int>((*status)["shards"].integer()));
+    const auto shards = static_cast<int>((*status)["shards"].integer());
+    if (parts > 0 && shards > 0 && shards != parts)
+      return Error{Fault::BadUsage, {folder, "", "", {}}, {text("there are shards of a sweep in %d parts and of one in %d; take those of one away", parts, shards)}, "sweep"};
+    if (shards == 0 && parts > 0) continue;  // an older study of the whole in the same folder
+    if (shards > 0 && parts == 0) words.clear(), done = true;
+    parts = shards;
     words[shard] = statusWords(*status);
     done = done && (*status)["state"].text() == "done";
   }
   if (parts < 0)
-    return Error{Fault::FileMissing, {pathIn(folder, "shard-1-of-….status.json"), "", "", {}}, {}, "study"};
+    return Error{Fault::FileMissing, {inFolder(folder, "shard-1-of-….status.json"), "", "", {}}, {}, "study"};
   SweepStatus status;
   if (parts == 0) status.words = "The sweep is " + words.begin()->second + ".\n";
   for (int shard = 1; shard <= parts; ++shard) {

@@ -89,6 +89,8 @@ Result<std::unique_ptr<RecordStore>> RecordStore::open(const std::string& place,
     store->m_port = url.port();
     QStringList options;
     if (!query.hasQueryItem(QStringLiteral("connect_timeout"))) options << QStringLiteral("connect_timeout=5");
+    // A network that fell silent is given up too, not only a server that says no.
+    if (!query.hasQueryItem(QStringLiteral("tcp_user_timeout"))) options << QStringLiteral("tcp_user_timeout=5000");
     for (const auto& [key, value] : query.queryItems(QUrl::FullyDecoded)) {
       if (key == u"host") store->m_host = value;
       else options << key + u'=' + value;
@@ -132,7 +134,7 @@ Result<Done> RecordStore::connect() {
     return Done{};
   }
   // Another process may write; what was acknowledged is on disk.
-  for (const char* pragma : {"PRAGMA busy_timeout = 10000", "PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"})
+  for (const char* pragma : {"PRAGMA busy_timeout = 10000", "PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON", "PRAGMA secure_delete = ON"})
     if (!query.exec(QString::fromLatin1(pragma))) return failed(query);
   return Done{};
 }
@@ -228,6 +230,7 @@ Result<Done> RecordStore::finish(long long run, const RunReport& report) {
                       {end, end, report.seconds, score, training.passed, words(report.stateHash), words(toJson(report)), run}))
       return false;
     there = query.numRowsAffected() == 1;
+    if (!there) return true;
     if (!writeTasks(query, run, training) || !glenoid::run(query, QStringLiteral("DELETE FROM metric WHERE run = ?"), {run})) return false;
     for (const Metric& metric : training.metrics) {
       const MetricKind* kind = metricKind(metric.name);

@@ -143,6 +143,7 @@ bool removeRegion(Document& document, const std::string& part, const std::string
     auto& regions = scene.joint.parts[p].regions;
     regions.erase(regions.begin() + r);
     dropActionsOn(scene.scenario, part, region);
+    dropFromTraining(scene.scenario.training, part, region);
   });
   return true;
 }

@@ -137,6 +137,7 @@ bool removePart(Document& document, const std::string& part) {
     Scenario& scenario = scene.scenario;
     std::erase(scenario.fixedParts, part);
     dropActionsOn(scenario, part);
+    dropFromTraining(scenario.training, part);
     for (Tool& tool : scenario.tools) std::erase(tool.perforates, part);
   });
 }
@@ -157,6 +158,7 @@ bool setPartSurface(Document& document, const std::string& part, SurfaceKind kin
     for (const std::string& region : lost) {
       dropReferences(scene.joint, part, region);
       dropActionsOn(scene.scenario, part, region);
+      dropFromTraining(scene.scenario.training, part, region);
       std::erase_if(p.materials, [&](const MaterialUse& use) { return use.region == region; });
       std::erase_if(p.regions, [&](const Region& r) { return r.id == region; });
     }
@@ -182,6 +184,16 @@ bool movePart(Document& document, const std::string& part, const PartMove& move,
     return false;
   }
   return change(document, PartEdits::tr("Move “%1”").arg(partName(document.joint(), part)), [&](Scene& scene) {
+    // What the scenario says of places on the part goes with it, as its landmarks do.
+    const PartMap map = partMap(scene.joint.parts[index], move);
+    for (Load& load : scene.scenario.loads)
+      if (load.part == part && load.point_W) load.point_W = map.point(*load.point_W);
+    for (Task& task : scene.scenario.training.tasks)
+      for (TaskPlace& place : task.places) {
+        if (place.part != part) continue;
+        if (place.point_W) place.point_W = map.point(*place.point_W);
+        if (place.normal_W) place.normal_W = map.direction(*place.normal_W);
+      }
     scene.joint.parts[index] = *moved;
     dropCage(scene.joint, part);
     scene.joint.startProof.reset();

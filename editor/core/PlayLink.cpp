@@ -37,9 +37,9 @@ void PlayLink::look() {
 }
 
 void PlayLink::askForSession(std::function<void(std::optional<Recording>)> answer) {
-  m_simulation.askForSession([this, answer = std::move(answer)](std::optional<SimulationThread::Session> session) {
+  m_simulation.askForSession([this, guest = m_guest, answer = std::move(answer)](std::optional<SimulationThread::Session> session) {
     std::optional<Recording> recording;
-    if (session) {
+    if (session && !guest) {  // a guest is no run of the scene that is open
       recording = std::move(session->recording);
       recording->profile = profileName(session->model->scenario.profile);
       recording->build = buildId();

@@ -75,7 +75,7 @@ bool StudyFolder::look() {
     if (const auto line = parseJson(std::string_view(text).substr(begin, end - begin), kNews)) take(*line);
     begin = end + 1;
   }
-  if (m_ended) readDocument(kind() + ".json");
+  if (m_ended && m_document) readDocument(kind() + ".json");  // without, what lies there is of a study before
   return true;
 }
 
@@ -84,6 +84,7 @@ void StudyFolder::take(const JsonValue& line) {
     m_head = line;
   } else if (line.find("ended")) {
     m_ended = true;
+    m_document = line["document"].boolean();
     if (line.find("error")) m_error = errorOf(line["error"]);
     if (line["ended"].text() == "done") m_fraction = 1;
   } else if (line.find("table")) {

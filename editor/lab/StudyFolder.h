@@ -47,6 +47,7 @@ class StudyFolder {
   std::uint64_t m_read = 0;  ///< bytes of progress.jsonl
   double m_fraction = 0;
   bool m_ended = false, m_whole = false;
+  bool m_document = false;  ///< the study that ended wrote its document
   std::string m_what;
   std::optional<Error> m_error;
 };

@@ -138,6 +138,7 @@ Scenario mirroredScenario(const Scenario& scenario) {
     tool.name = otherSideIn(tool.name);
     tool.home = mirroredTool(tool.home);
   }
+  out.training.text = otherSideIn(out.training.text);
   for (Task& task : out.training.tasks) {
     for (std::string* text : {&task.name, &task.text, &task.hint}) *text = otherSideIn(*text);
     for (TaskPlace& place : task.places) {

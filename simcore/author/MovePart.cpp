@@ -8,14 +8,22 @@
 
 namespace glenoid {
 
+PartMap partMap(const Part& part, const PartMove& move) {
+  const Vec3 radians = move.turn_deg * (std::numbers::pi / 180);
+  PartMap map;
+  map.turn = (turnBy(radians.z() * Vec3::UnitZ()) * turnBy(radians.y() * Vec3::UnitY()) * turnBy(radians.x() * Vec3::UnitX())).toRotationMatrix();
+  map.scale = move.scale;
+  if (part.visual) map.about_W = boundsOf(*part.visual).center();
+  map.shift_W = move.shift_W;
+  map.onlyShifts = move.turn_deg.isZero(0) && move.scale == 1;
+  return map;
+}
+
 Result<Part> movedPart(const Part& part, const PartMove& move) {
   if (!(move.scale > 0) || !std::isfinite(move.scale) || !move.turn_deg.allFinite() || !move.shift_W.allFinite())
     return Error{Fault::OutOfRange, {{}, {}, part.id, {}}, {std::to_string(move.scale), "0", "inf"}, "moving a part"};
-  const Vec3 radians = move.turn_deg * (std::numbers::pi / 180);
-  const Mat3 turn = (turnBy(radians.z() * Vec3::UnitZ()) * turnBy(radians.y() * Vec3::UnitY()) * turnBy(radians.x() * Vec3::UnitX())).toRotationMatrix();
-  const Vec3 about = part.visual ? Vec3(boundsOf(*part.visual).center()) : Vec3(Vec3::Zero());
-  const bool turns = !move.turn_deg.isZero(0) || move.scale != 1;
-  const auto moved = [&](const Vec3& p) { return turns ? Vec3(move.scale * (turn * (p - about)) + about + move.shift_W) : Vec3(p + move.shift_W); };
+  const PartMap map = partMap(part, move);
+  const auto moved = [&](const Vec3& p) { return map.point(p); };
   const auto surface = [&](const TriMesh& mesh) {
     TriMesh out = mesh;
     for (Vec3& p : out.vertices) p = moved(p);

@@ -10,6 +10,8 @@ namespace glenoid {
 /// tool by as much as it moves, as seen from a camera. One that was gone begins again where the tool stayed.
 class DeviceAnchor {
  public:
+  static constexpr double kWildJump = 0.02;  ///< m from one word to the next: no place to go on from, as HapticLoop has it
+
   /// `q_WD`: the device's axes in W, the right, up and backward axes of whoever looks on; `home`: of the tool.
   DeviceAnchor(const Quat& q_WD, const Pose& home) : m_turn(q_WD.normalized()), m_base(home), m_last(home) {}
 
@@ -22,6 +24,7 @@ class DeviceAnchor {
  private:
   Quat m_turn;
   Pose m_base, m_last, m_origin;
+  Pose m_word;           ///< the last, believed or not
   bool m_held = false;
 };
 

@@ -51,6 +51,7 @@ class TrackerLink : public DeviceLink {
   bool message(igtl::MessageHeader& header);
   enum class Came { All, Nothing, End };
   Came receive(void* to, int size);
+  Came receiveBody(void* to, int size);
   template <class Message>
   std::optional<typename Message::Pointer> body(igtl::MessageHeader& header);
   void refuse() { m_io.tell([](DeviceStory& story) { ++story.refused; }); }
@@ -75,14 +76,19 @@ TrackerLink::Came TrackerLink::receive(void* to, int size) {
   return have == size ? Came::All : Came::End;
 }
 
+/// What follows a header: it comes, though it may be late.
+TrackerLink::Came TrackerLink::receiveBody(void* to, int size) {
+  Came came = Came::Nothing;
+  for (int waits = 0; came == Came::Nothing && waits < kWaits; ++waits) came = receive(to, size);
+  return came;
+}
+
 template <class Message>
 std::optional<typename Message::Pointer> TrackerLink::body(igtl::MessageHeader& header) {
   auto whole = Message::New();
   whole->SetMessageHeader(&header);
   whole->AllocatePack();
-  Came came = Came::Nothing;
-  for (int waits = 0; came == Came::Nothing && waits < kWaits; ++waits) came = receive(whole->GetPackBodyPointer(), whole->GetPackBodySize());
-  if (came != Came::All) return {};
+  if (receiveBody(whole->GetPackBodyPointer(), whole->GetPackBodySize()) != Came::All) return {};
   if (!(whole->Unpack(1) & igtl::MessageHeader::UNPACK_BODY)) {  // its check sum is wrong
     refuse();
     return typename Message::Pointer();
@@ -129,7 +135,7 @@ bool TrackerLink::message(igtl::MessageHeader& header) {
     }
   } else {
     m_skipped.resize(static_cast<std::size_t>(header.GetBodySizeToRead()));
-    return m_skipped.empty() || receive(m_skipped.data(), static_cast<int>(m_skipped.size())) == Came::All;
+    return m_skipped.empty() || receiveBody(m_skipped.data(), static_cast<int>(m_skipped.size())) == Came::All;
   }
   if (!pose || (type != "QTDATA" && !m_address.name.empty() && m_address.name != name)) return true;
   if (m_name.empty()) m_name = name;

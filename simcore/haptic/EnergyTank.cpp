@@ -20,6 +20,7 @@ Vec3 EnergyTank::limit(const Vec3& force, const Vec3& velocity, double seconds) 
   const double square = force.squaredNorm() * seconds * seconds / (2 * m_mass), drive = force.dot(velocity) * seconds, there = std::max(0.0, m_left);
   if (!(square + drive > there)) return force;
   m_cut = true;
+  if (!(square > 0)) return Vec3::Zero();  // less than a number can square
   const double share = (std::sqrt(drive * drive + 4 * square * there) - drive) / (2 * square);
   return std::clamp(share, 0.0, 1.0) * force;
 }

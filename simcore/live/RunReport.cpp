@@ -3,20 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
-#include "simcore/file/Json.h"
+#include "simcore/file/JsonObject.h"
 
 namespace glenoid {
 namespace {
 
 using Json = JsonValue;
 
-Json object(std::initializer_list<std::pair<const char*, Json>> members) {
-  Json json = Json::object();
-  for (const auto& [key, value] : members) json.set(key, value);
-  return json;
-}
+constexpr auto object = jsonObject;
 
 template <class T>
 Json orNull(const std::optional<T>& value) {

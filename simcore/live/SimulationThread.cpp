@@ -114,7 +114,8 @@ struct SimulationThread::Run {
       state = carry ? carryState(*model, state, *set.model) : set.model->start;
       if (carry) {
         hands.change(set.model->scenario, recording);
-        if (state.step == 0) session.restart(set.model->scenario);
+        // What an edit before the first step moved is carried, and not where a run from a file begins.
+        if (stateHash(state) == stateHash(set.model->start)) session.restart(set.model->scenario);
         else session.interrupt();
       } else {
         hands.restart(set.model->scenario, recording);

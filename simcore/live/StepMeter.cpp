@@ -20,9 +20,9 @@ StepMaker StepMeter::maker() const {
 }
 
 void StepMeter::setWanted(bool wanted) {
+  const std::lock_guard lock(m_eye->m_mutex);
   m_eye->m_wanted.store(wanted, std::memory_order_relaxed);
   if (wanted) return;
-  const std::lock_guard lock(m_eye->m_mutex);
   m_eye->m_reading = {};
 }
 
@@ -43,6 +43,7 @@ void StepMeter::Eye::after(Stepper& stepper, const std::shared_ptr<const Model>&
   for (std::size_t s = 0; s < step.stages.size(); ++s) step.stages[s] = static_cast<float>(report.cpuMs[s]);
   step.contacts = report.contacts;
   const std::lock_guard lock(m_mutex);
+  if (!m_wanted.load(std::memory_order_relaxed)) return;  // a step that was under way when nobody looked any more
   if (m_reading.model != model) m_reading.steps.clear();  // another scene's figures
   if (m_reading.steps.size() >= kMost) m_reading.steps.erase(m_reading.steps.begin(), m_reading.steps.begin() + kMost / 2);
   m_reading.steps.push_back(step);

@@ -35,7 +35,6 @@ void dropActionsOn(Scenario& scenario, const std::string& part, const std::strin
   const auto onRegion = [&](const auto& item) { return item.part == part && (region.empty() || item.region == region); };
   std::erase_if(scenario.pressures, onRegion);
   std::erase_if(scenario.supports, onRegion);
-  dropFromTraining(scenario.training, part, region);
   if (!region.empty()) return;
   const auto drop = [&](auto& list) { std::erase_if(list, [&](const auto& item) { return item.part == part; }); };
   drop(scenario.holds);

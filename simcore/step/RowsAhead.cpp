@@ -85,10 +85,13 @@ void RowsAhead::find(const State& state, double ahead) {
   const int contacts = work.report.contacts, dropped = work.report.droppedRows;
   const auto* proximities = std::exchange(work.proximities, &m_found);
   exchange();
+  // As the last part of a step that was cut built its own.
+  const double dt = std::exchange(work.settings.dt, work.settings.dt / work.report.parts);
   findTouches(work, m_state);
   buildContacts(work, m_state);
   buildTouches(work, m_state);
   driftContacts(work);
+  work.settings.dt = dt;
   exchange();
   work.proximities = proximities;
   work.report.cpuMs = times;

@@ -5,29 +5,13 @@
 #include <limits>
 #include <map>
 
+#include "simcore/embed/Bind.h"
 #include "simcore/spatial/TrianglePoint.h"
 
 namespace glenoid {
 namespace {
 
 constexpr double kAhead = 1e-3;  ///< m
-
-/// Of the tetrahedron in which the point lies deepest; outside of all, the one it is least outside of.
-VertexBinding bindInside(const TetMesh& mesh, const Vec3& x) {
-  VertexBinding best;
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const auto& tet : mesh.tets) {
-    const Vec3& a = mesh.nodes[tet[0]];
-    Mat3 edges;
-    for (int k = 0; k < 3; ++k) edges.col(k) = mesh.nodes[tet[k + 1]] - a;
-    const Vec3 w = edges.inverse() * (x - a);
-    const Vec4 weights(1 - w.sum(), w[0], w[1], w[2]);
-    if (!(weights.minCoeff() > deepest)) continue;
-    deepest = weights.minCoeff();
-    for (int k = 0; k < 4; ++k) best.node[k] = tet[k], best.weight[k] = weights[k];
-  }
-  return best;
-}
 
 Vec3 middleOf(const TriMesh& mesh) {
   Box3 box;
@@ -54,7 +38,7 @@ CarriedPoint::CarriedPoint(const Model& model, int object, const Vec3& rest) : m
     const SurfaceBinding& surface = carrier.visual;
     binding.r_B = surface.vertices.empty() ? rest : Vec3(rest - surface.mesh->vertices.front() + surface.vertices.front().r_B);
   } else {
-    binding = bindInside(*carrier.volume, rest);
+    binding = bindToTets(*carrier.volume, {&rest, 1}).front();
   }
   m_binding.vertices.push_back(binding);
 }

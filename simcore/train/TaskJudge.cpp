@@ -56,8 +56,20 @@ void TaskJudge::look(const StepSeen& seen) {
 bool TaskJudge::presses(const StepSeen& seen) const {
   if (m_task->kind != TaskKind::Touch && m_task->kind != TaskKind::Press) return false;
   ToolTouch touch;
-  return pressingTool(seen, m_places[0].object(), touch) >= 0 && touch.force >= m_task->forceMin &&
-         m_places[0].distanceTo(touch.point_W, seen.state.q) <= m_task->tolerance;
+  double distance = 0;
+  return touchingTool(seen, touch, distance) >= 0 && touch.force >= m_task->forceMin;
+}
+
+/// Of the tools that may do it and touch at its place the one that presses hardest; −1 where none does.
+int TaskJudge::touchingTool(const StepSeen& seen, ToolTouch& most, double& distance) const {
+  int tool = -1;
+  for (const int candidate : m_tools) {
+    const ToolTouch touch = toolTouch(seen.model, seen.step, candidate, m_places[0].object());
+    if (!(touch.force > most.force)) continue;
+    const double away = m_places[0].distanceTo(touch.point_W, seen.state.q);
+    if (away <= m_task->tolerance) most = touch, tool = candidate, distance = away;
+  }
+  return tool;
 }
 
 /// Of the tools that may do it the one that presses hardest on the part (−1: on anything); −1 where none does.
@@ -91,9 +103,9 @@ void TaskJudge::done(double time, std::optional<double> distance) {
 
 void TaskJudge::touch(const StepSeen& seen) {
   ToolTouch touch;
-  const int tool = pressingTool(seen, m_places[0].object(), touch);
-  const double distance = tool < 0 ? 0 : m_places[0].distanceTo(touch.point_W, seen.state.q);
-  const bool here = tool >= 0 && distance <= m_task->tolerance;
+  double distance = 0;
+  const int tool = touchingTool(seen, touch, distance);
+  const bool here = tool >= 0;
   if (here) {
     m_record.tool = tool;
     m_record.forceMax = std::max(m_record.forceMax, touch.force);
@@ -206,6 +218,8 @@ void TaskJudge::find(const StepSeen& seen) {
   if (tool < 0 || touch.force < m_task->forceMin) {
     m_still_W.reset();
     m_held = m_record.progress = 0;
+    if (m_answered_W && std::none_of(m_tips.begin(), m_tips.end(), [&](const CarriedPoint& each) { return (each.at(seen.model, seen.state.q) - *m_answered_W).norm() < kLeft; }))
+      m_answered_W.reset();  // lifted off and away: the next press may be anywhere
     return;
   }
   m_record.forceMax = std::max(m_record.forceMax, touch.force);

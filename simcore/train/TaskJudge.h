@@ -66,6 +66,7 @@ class TaskJudge {
   void tooHard(double force, double dt);
   void done(double time, std::optional<double> distance);
   int pressingTool(const StepSeen& seen, int part, ToolTouch& most) const;
+  int touchingTool(const StepSeen& seen, ToolTouch& most, double& distance) const;
   Vec3 tip(const StepSeen& seen, int tool) const;
 
   const Model* m_model;

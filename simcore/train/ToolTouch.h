@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <functional>
+
 #include "simcore/step/Stepper.h"
 
 namespace glenoid {
@@ -11,7 +13,7 @@ struct ToolTouch {
   Vec3 point_W = Vec3::Zero();   ///< m, mean of the contacts by normal force; meaningless where force is 0
 };
 
-/// `part`: object, −1: all parts.
-ToolTouch toolTouch(const Model& model, const StepReport& step, int tool, int part);
+/// `part`: object, −1: all parts. `counts`: of each contact by its point, W; nothing: all count.
+ToolTouch toolTouch(const Model& model, const StepReport& step, int tool, int part, const std::function<bool(const Vec3&)>& counts = {});
 
 }  // namespace glenoid

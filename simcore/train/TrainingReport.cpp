@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "simcore/file/JsonObject.h"
 #include "simcore/scene/training/TrainingWords.h"
 
 namespace glenoid {
@@ -66,42 +67,33 @@ JsonValue tasksJson(const TrainingReport& report) {
   JsonValue list = JsonValue::array();
   for (const TaskResult& task : report.tasks) {
     const TaskRecord& record = task.record;
-    JsonValue metrics = JsonValue::object();
-    metrics.set("time", record.ended ? JsonValue(*record.ended - *record.opened) : JsonValue());
-    metrics.set("errors", record.errors);
-    metrics.set("distance", orNull(record.distance));
-    metrics.set("depth", orNull(record.depth));
-    metrics.set("forceMax", record.forceMax);
-    metrics.set("forceMean", orNull(meanForce(record)));
-    metrics.set("touchSeconds", record.touchSeconds);
-    metrics.set("seenSeconds", record.seenSeconds);
-    JsonValue json = JsonValue::object();
-    json.set("id", task.id);
-    json.set("name", task.name);
-    json.set("kind", taskKindName(task.kind));
-    json.set("done", record.outcome == TaskOutcome::Done);
-    json.set("outcome", outcomeName(record.outcome));
-    json.set("tool", task.tool);
-    json.set("opened", orNull(record.opened));
-    json.set("ended", orNull(record.ended));
-    json.set("progress", record.progress);
-    json.set("score", task.score);
-    json.set("metrics", std::move(metrics));
-    list.append(std::move(json));
+    JsonValue metrics = jsonObject({{"time", record.ended ? JsonValue(*record.ended - *record.opened) : JsonValue()},
+                                    {"errors", record.errors},
+                                    {"distance", orNull(record.distance)},
+                                    {"depth", orNull(record.depth)},
+                                    {"forceMax", record.forceMax},
+                                    {"forceMean", orNull(meanForce(record))},
+                                    {"touchSeconds", record.touchSeconds},
+                                    {"seenSeconds", record.seenSeconds}});
+    list.append(jsonObject({{"id", task.id},
+                            {"name", task.name},
+                            {"kind", taskKindName(task.kind)},
+                            {"done", record.outcome == TaskOutcome::Done},
+                            {"outcome", outcomeName(record.outcome)},
+                            {"tool", task.tool},
+                            {"opened", orNull(record.opened)},
+                            {"ended", orNull(record.ended)},
+                            {"progress", record.progress},
+                            {"score", task.score},
+                            {"metrics", std::move(metrics)}}));
   }
   return list;
 }
 
 JsonValue trainingJson(const TrainingReport& report) {
-  JsonValue json = JsonValue::object();
-  json.set("score", report.score);
-  json.set("passed", report.passed);
-  json.set("finished", report.finished);
-  JsonValue metrics = JsonValue::array();
+  JsonValue metrics = JsonValue::array(), form = JsonValue::array(), references = JsonValue::array(), benchmarks = JsonValue::array();
   for (const Metric& metric : report.metrics) {
-    JsonValue entry = JsonValue::object();
-    entry.set("name", metric.name);
-    entry.set("value", orNull(metric.value));
+    JsonValue entry = jsonObject({{"name", metric.name}, {"value", orNull(metric.value)}});
     if (const MetricKind* kind = metricKind(metric.name)) {
       entry.set("unit", kind->unit);
       entry.set("formula", kind->formula);
@@ -109,44 +101,17 @@ JsonValue trainingJson(const TrainingReport& report) {
     }
     metrics.append(std::move(entry));
   }
-  json.set("metrics", std::move(metrics));
-  JsonValue form = JsonValue::array();
-  for (const FormResult& result : report.form) {
-    JsonValue entry = JsonValue::object();
-    entry.set("metric", result.row.metric);
-    entry.set("value", orNull(result.value));
-    entry.set("best", result.row.best);
-    entry.set("worst", result.row.worst);
-    entry.set("points", result.points);
-    entry.set("of", result.row.points);
-    form.append(std::move(entry));
-  }
-  json.set("form", std::move(form));
-  JsonValue references = JsonValue::array();
-  for (const ReferenceResult& result : report.references) {
-    JsonValue entry = JsonValue::object();
-    entry.set("metric", result.figure.metric);
-    entry.set("mean", result.figure.mean);
-    entry.set("sd", result.figure.sd);
-    entry.set("count", result.figure.count);
-    entry.set("source", result.figure.source);
-    entry.set("z", orNull(result.z));
-    references.append(std::move(entry));
-  }
-  json.set("references", std::move(references));
-  JsonValue benchmarks = JsonValue::array();
-  for (const BenchmarkResult& result : report.benchmarks) {
-    JsonValue entry = JsonValue::object();
-    entry.set("metric", result.benchmark.metric);
-    entry.set("name", result.benchmark.name);
-    entry.set("limit", result.benchmark.limit);
-    entry.set("source", result.benchmark.source);
-    entry.set("value", orNull(result.value));
-    entry.set("kept", result.kept);
-    benchmarks.append(std::move(entry));
-  }
-  json.set("benchmarks", std::move(benchmarks));
-  return json;
+  for (const FormResult& result : report.form)
+    form.append(jsonObject({{"metric", result.row.metric}, {"value", orNull(result.value)}, {"best", result.row.best}, {"worst", result.row.worst},
+                            {"points", result.points}, {"of", result.row.points}}));
+  for (const ReferenceResult& result : report.references)
+    references.append(jsonObject({{"metric", result.figure.metric}, {"mean", result.figure.mean}, {"sd", result.figure.sd}, {"count", result.figure.count},
+                                  {"source", result.figure.source}, {"z", orNull(result.z)}}));
+  for (const BenchmarkResult& result : report.benchmarks)
+    benchmarks.append(jsonObject({{"metric", result.benchmark.metric}, {"name", result.benchmark.name}, {"limit", result.benchmark.limit},
+                                  {"source", result.benchmark.source}, {"value", orNull(result.value)}, {"kept", result.kept}}));
+  return jsonObject({{"score", report.score}, {"passed", report.passed}, {"finished", report.finished}, {"metrics", std::move(metrics)}, {"form", std::move(form)},
+                     {"references", std::move(references)}, {"benchmarks", std::move(benchmarks)}});
 }
 
 }  // namespace glenoid

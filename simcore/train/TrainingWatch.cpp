@@ -53,6 +53,7 @@ Result<TrainingWatch> TrainingWatch::make(const Model& model, bool raw) {
   if (const auto good = known(training.references, "references"); !good) return good.error();
   if (const auto good = known(training.benchmarks, "benchmarks"); !good) return good.error();
   watch.m_early.assign(watch.m_judges.size(), 0);
+  watch.m_pressed.assign(watch.m_judges.size(), 0);
   watch.m_begin = watch.m_end = model.start.time;
   watch.openTasks(model.start.time);
   if (raw) watch.addRow(model.start.time, nullptr);
@@ -77,6 +78,7 @@ void TrainingWatch::openTasks(double time) {
 void TrainingWatch::add(const StepReport& step, const State& state) {
   if (m_finished || m_judges.empty()) return;
   const StepSeen seen{*m_model, step, state, m_model->scenario.dt};
+  if (m_end == m_begin && state.time > m_begin + 1.5 * seen.dt) takeUp(seen);
   m_end = state.time;
   addTrails(seen);
   watchLimits(seen);
@@ -96,16 +98,31 @@ void TrainingWatch::add(const StepReport& step, const State& state) {
   openTasks(state.time);
 }
 
+/// Of a run that is under way already, whose model or recording was changed: clocks and trails begin where it is now.
+void TrainingWatch::takeUp(const StepSeen& seen) {
+  m_begin = seen.state.time - seen.dt;
+  for (TaskJudge& judge : m_judges)
+    if (judge.record().outcome == TaskOutcome::Open) judge.open(m_begin);
+  for (ToolTrail& trail : m_trails) {
+    trail.from_W = trail.tip.at(*m_model, seen.state.q);
+    trail.tips = {trail.from_W};
+    if (trail.scope) trail.axes = {scopeView(*m_model, seen.state.q, trail.object).axis_W};
+  }
+}
+
 /// What is pressed before its turn, once a task, unless the task whose turn it is has its place there too.
 void TrainingWatch::watchOrder(const StepSeen& seen) {
   const bool now = std::any_of(m_judges.begin(), m_judges.end(),
                                [&](const TaskJudge& judge) { return judge.record().outcome == TaskOutcome::Open && judge.presses(seen); });
-  if (now) return;
-  for (std::size_t t = 0; t < m_judges.size(); ++t)
-    if (!m_early[t] && m_judges[t].record().outcome == TaskOutcome::Waiting && m_judges[t].presses(seen)) {
-      m_early[t] = 1;
-      ++m_orderErrors;
-    }
+  for (std::size_t t = 0; t < m_judges.size(); ++t) {
+    if (m_judges[t].record().outcome != TaskOutcome::Waiting || m_early[t]) continue;
+    // A press that began for another task, which is done now, is none for this one.
+    const bool pressed = m_judges[t].presses(seen), fresh = pressed && !m_pressed[t];
+    m_pressed[t] = pressed;
+    if (!fresh || now) continue;
+    m_early[t] = 1;
+    ++m_orderErrors;
+  }
 }
 
 void TrainingWatch::watchLimits(const StepSeen& seen) {
@@ -114,8 +131,9 @@ void TrainingWatch::watchLimits(const StepSeen& seen) {
     watch.force = 0;
     for (std::size_t i = 0; i < seen.model.objects.size(); ++i) {
       if (!seen.model.objects[i].tool) continue;
-      const ToolTouch touch = toolTouch(seen.model, seen.step, static_cast<int>(i), watch.place.object());
-      if (touch.force > watch.force && watch.place.distanceTo(touch.point_W, seen.state.q) <= kOnRegion) watch.force = touch.force;
+      const ToolTouch touch = toolTouch(seen.model, seen.step, static_cast<int>(i), watch.place.object(),
+                                        [&](const Vec3& point_W) { return watch.place.distanceTo(point_W, seen.state.q) <= kOnRegion; });
+      watch.force = std::max(watch.force, touch.force);
     }
     watch.forceMax = std::max(watch.forceMax, watch.force);
     if (watch.force > kTouch) watch.touchSeconds += seen.dt;

@@ -54,6 +54,7 @@ class TrainingWatch {
 
   explicit TrainingWatch(const Model& model) : m_model(&model) {}
   void openTasks(double time);
+  void takeUp(const StepSeen& seen);
   void watchOrder(const StepSeen& seen);
   void watchLimits(const StepSeen& seen);
   void addTrails(const StepSeen& seen);
@@ -66,6 +67,7 @@ class TrainingWatch {
   std::vector<LimitWatch> m_limits;  ///< by limit
   std::vector<int> m_doneOrder;      ///< tasks in the order they were done
   std::vector<char> m_early;         ///< by task: was pressed before its turn
+  std::vector<char> m_pressed;       ///< by task that waits: was pressed in the last step
   int m_orderErrors = 0;
   double m_begin = 0, m_end = 0;
   bool m_finished = false, m_raw = false;

@@ -8,7 +8,7 @@
 
 namespace glenoid::testing {
 
-PostgresServer::PostgresServer() : m_folder(QDir::tempPath() + QStringLiteral("/glenoid-pg-XXXXXX")) {
+PostgresServer::PostgresServer() {
   const QStringList versions = QDir(QStringLiteral("/usr/lib/postgresql")).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name);
   if (versions.isEmpty()) {
     m_said = QStringLiteral("no PostgreSQL is installed (Debian: postgresql)");

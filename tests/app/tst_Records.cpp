@@ -228,6 +228,7 @@ TEST(RecordsOfALab, aServerThatRestartsCostsARetry) {
   ASSERT_TRUE(runs) << toLogLine(runs.error());
   const auto ended = std::count_if(runs->begin(), runs->end(), [](const RecordedRun& run) { return run.ended; });
   EXPECT_GE(ended, written);
+  EXPECT_EQ(runs->size(), static_cast<std::size_t>(written.load())) << "none twice, where an answer was lost";
 }
 
 TEST(RecordsFile, refusesWhatItCannotUse) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
+#include <string>
 
 #include "simcore/reading/StressRecovery.h"
 #include "simcore/step/StepModel.h"
@@ -21,7 +23,9 @@ class Known : public testing::TestWithParam<const char*> {};
 
 TEST_P(Known, isWithinItsBarAndItsErrorsFall) {
   TruthOptions options;
-  options.quick = !std::getenv("GLENOID_LONG");
+  // Those with published values always at their full sizes, within their full bars; what else there is where there is time.
+  const std::set<std::string> published = {"cook", "le1", "le10", "fv32"};
+  options.quick = !std::getenv("GLENOID_LONG") && !published.contains(GetParam());
   options.only = {GetParam()};
   const auto verdicts = runTruth(options).value();
   ASSERT_FALSE(verdicts.empty());

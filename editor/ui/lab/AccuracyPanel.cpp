@@ -176,8 +176,13 @@ void AccuracyPanel::showWords() {
       words += tr("No error can be given: %1.").arg(failureWords(shown->failure, shown->detail).toHtmlEscaped());
     } else {
       const AccuracyQuantity quantity = m_plot->points().view.quantity;
-      words += tr("%1 of %2 error, largest for %3; %4 a step, %5 in 95 of 100.")
-                   .arg(errorText(quantity, shown->error), quantityName(quantity), QString::fromStdString(shown->where), msText(shown->ms), msText(shown->p95));
+      if (!std::isfinite(shown->error))
+        words += tr("It has no error of %1 against this reference; %2 a step, %3 in 95 of 100.").arg(quantityName(quantity), msText(shown->ms), msText(shown->p95));
+      else if (shown->where.empty())
+        words += tr("%1 of %2 error; %3 a step, %4 in 95 of 100.").arg(errorText(quantity, shown->error), quantityName(quantity), msText(shown->ms), msText(shown->p95));
+      else
+        words += tr("%1 of %2 error, largest for %3; %4 a step, %5 in 95 of 100.")
+                     .arg(errorText(quantity, shown->error), quantityName(quantity), QString::fromStdString(shown->where).toHtmlEscaped(), msText(shown->ms), msText(shown->p95));
       if (std::isfinite(m_plot->points().floor) && shown->error <= m_plot->points().floor) words += QLatin1Char(' ') + tr("That is less than the reference’s own error.");
       if (shown->rough) words += QLatin1Char(' ') + tr("Its time is a guess until times are taken.");
     }
@@ -197,7 +202,7 @@ void AccuracyPanel::choose(const QString& setting) {
 void AccuracyPanel::pick() {
   const AccuracyPoints& points = m_plot->points();
   const double limit = m_limit->value();
-  if (m_rule->currentIndex() == kTo && !(limit >= 2 * points.floor))
+  if (m_rule->currentIndex() == kTo && limit < 2 * points.floor)
     return m_bar->say(tr("%1 is less than twice the reference’s own error, %2: nothing can be told apart there.")
                           .arg(errorText(points.view.quantity, limit), errorText(points.view.quantity, 2 * points.floor)));
   const auto found = m_rule->currentIndex() == kTo ? points.pickForAccuracy(limit) : points.pickForBudget(limit);
@@ -207,7 +212,10 @@ void AccuracyPanel::pick() {
   if (found) choose(QString::fromStdString(points.points[*found].id));
 }
 
-void AccuracyPanel::forgetStudied() { m_studied = nullptr; }
+void AccuracyPanel::forgetStudied() {
+  m_studied = nullptr;
+  ++m_studies;
+}
 
 void AccuracyPanel::withStudied(std::function<void(std::shared_ptr<const StudiedScene>)> use) {
   if (m_studied) return use(m_studied);
@@ -221,7 +229,8 @@ void AccuracyPanel::withStudied(std::function<void(std::shared_ptr<const Studied
         if (!loaded) return loaded.error();
         return StudiedScene::make(std::move(*loaded));
       },
-      [this, use](std::shared_ptr<const StudiedScene> studied) {
+      [this, use, study = m_studies](std::shared_ptr<const StudiedScene> studied) {
+        if (study != m_studies) return;  // another was begun or opened meanwhile
         m_studied = studied;
         use(studied);
       },

@@ -62,6 +62,7 @@ class AccuracyPanel : public QWidget {
   SettingPictures m_pictures;
   std::function<View()> m_view;
   std::shared_ptr<const StudiedScene> m_studied;  ///< null: not asked for yet
+  long m_studies = 0;  ///< how many were begun or opened
   std::optional<Joint> m_lastMade;                ///< that a setting put in the document
   std::string m_pointed;
   StudyBar* m_bar;

@@ -84,7 +84,10 @@ StabilityPanel::StabilityPanel(Document& document, PlayLink& link, JobSystem& jo
   layout->addLayout(buttons);
   layout->addWidget(m_shown);
   connect(m_bar, &StudyBar::newsCame, this, &StabilityPanel::refresh);
-  connect(m_bar, &StudyBar::begun, this, &StabilityPanel::refresh);
+  connect(m_bar, &StudyBar::begun, this, [this] {  // another study, though its trials may be called the same
+    m_table->setRowCount(0);
+    refresh();
+  });
   connect(m_filter, &QLineEdit::textChanged, this, &StabilityPanel::filter);
   connect(m_failures, &QCheckBox::toggled, this, &StabilityPanel::filter);
   connect(m_table, &QTableWidget::currentCellChanged, this, &StabilityPanel::showCurrent);

@@ -110,12 +110,15 @@ TasksPanel::TasksPanel(Document& document, PlayLink& link, QWidget* parent)
     m_link.play();
   });
   connect(m_runs, &QPushButton::clicked, this, &TasksPanel::runsWanted);
-  connect(m_trainee, &QLineEdit::textChanged, this, &TasksPanel::refreshText);
+  connect(m_trainee, &QLineEdit::editingFinished, this, [this] {
+    m_name = m_trainee->text().trimmed();
+    refreshText();
+  });
   setRecordSentence({});
   rebuild();
 }
 
-QString TasksPanel::trainee() const { return m_trainee->text().trimmed(); }
+QString TasksPanel::trainee() const { return m_name; }
 
 void TasksPanel::setRecordSentence(const QString& sentence) {
   m_kept->setText(sentence);
@@ -147,7 +150,8 @@ void TasksPanel::rebuild() {
 
 void TasksPanel::refresh() {
   const auto& report = m_link.snapshot().training;
-  if (report && report->tasks.size() == m_listed.tasks.size() && report != m_report) {
+  const auto isOf = [](const TaskResult& result, const Task& task) { return result.id == task.id; };
+  if (report && report != m_report && std::equal(report->tasks.begin(), report->tasks.end(), m_listed.tasks.begin(), m_listed.tasks.end(), isOf)) {
     const bool wasFinished = m_report && m_report->finished;
     m_report = report;
     for (std::size_t i = 0; i < report->tasks.size(); ++i) {

@@ -22,7 +22,7 @@ class TasksPanel : public QWidget {
  public:
   TasksPanel(Document& document, PlayLink& link, QWidget* parent = nullptr);
 
-  /// Who does the tasks; empty: nobody says so, and nothing is kept.
+  /// Who does the tasks, once the name is typed to its end (Return, or the focus leaves); empty: nobody says so, and nothing is kept.
   QString trainee() const;
   /// What became of keeping the run; comes from who keeps it.
   void setRecordSentence(const QString& sentence);
@@ -58,6 +58,7 @@ class TasksPanel : public QWidget {
   QLabel* m_formula;
   QPushButton* m_again;
   QLineEdit* m_trainee;
+  QString m_name;         ///< typed to its end
   QLabel* m_traineeLabel;
   QPushButton* m_runs;
   QLabel* m_kept;

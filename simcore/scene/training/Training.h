@@ -106,7 +106,7 @@ struct Training {
 /// The form of a training without one: 80 points for what was done, 20 for doing it without errors (none from five on).
 std::vector<FormRow> defaultForm();
 
-/// Takes out what refers to a part, or only to a region or landmark of it: places, and tasks that have too few left; limits.
-void dropFromTraining(Training& training, const std::string& part, const std::string& regionOrLandmark = {});
+/// Takes out what refers to a part, or only to a region of it: places, and tasks that have too few left; limits.
+void dropFromTraining(Training& training, const std::string& part, const std::string& region = {});
 
 }  // namespace glenoid

@@ -18,7 +18,7 @@ Result<Done> checkPlace(const TaskPlace& place, TaskKind kind, const std::string
   if (named > 1) return unusable(file, pointer, task, "a place that is more than one of landmark, region and point");
   if (place.part.empty() && !place.point_W) return unusable(file, pointer, task, "a place without a part that is no point of the room");
   const bool isPoint = !place.landmark.empty() || place.point_W;
-  const bool wantsPoint = kind != TaskKind::Touch && kind != TaskKind::Press && kind != TaskKind::Look;
+  const bool wantsPoint = kind != TaskKind::Touch && kind != TaskKind::Press;  // the middle of a part lies hidden in it
   if (wantsPoint && !isPoint) return unusable(file, pointer, task, "a place that is no landmark or point, which this kind of task needs");
   if (place.part.empty() && kind != TaskKind::Look && kind != TaskKind::Follow && kind != TaskKind::Pass)
     return unusable(file, pointer, task, "a place in the room, where nothing can be pressed");
@@ -35,6 +35,9 @@ Result<Done> checkTask(const Scenario& scenario, const Task& task, const std::st
                     std::to_string(task.places.size()) + " places, where this kind of task has " + (most == 1 ? "one" : least == 2 ? "two or more" : "one or more"));
   for (std::size_t i = 0; i < task.places.size(); ++i)
     if (const auto good = checkPlace(task.places[i], task.kind, task.id, file, pointerTo(pointer + "/places", i)); !good) return good;
+  if (task.kind == TaskKind::Trace)
+    for (const TaskPlace& place : task.places)
+      if (place.part != task.places[0].part) return unusable(file, pointer + "/places", task.id, "a path to trace over more than one part");
   if (task.kind == TaskKind::Press && !task.forceMax) return unusable(file, pointer, task.id, "a press without forceMax, so without a band");
   if (task.forceMax && !(*task.forceMax > task.forceMin)) return unusable(file, pointer + "/forceMax", task.id, "a forceMax that is not above forceMin");
   if (!task.keys.empty() && task.kind != TaskKind::Follow) return unusable(file, pointer + "/keys", task.id, "keys, which only a task to follow has");

@@ -208,7 +208,8 @@ bool timeCases(Ground& ground, std::vector<Case>& cases, Timing& whole) {
       price.push_back(of[kOn][i] - of[kOff][i]);
       noise.push_back(of[kAuto][i] - same[i]);
     }
-    if (row.wish == Wish::Auto) all.insert(all.end(), of[kAuto].begin(), of[kAuto].end());
+    const auto& asIs = of[row.wish == Wish::Auto ? kAuto : row.wish == Wish::On ? kOn : kOff];  // the scene as it stands
+    all.insert(all.end(), asIs.begin(), asIs.end());
     times.pairs = static_cast<long>(price.size());
     times.price = timingOf(price);
     times.noise = timingOf(noise);

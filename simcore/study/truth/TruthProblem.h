@@ -25,7 +25,7 @@ struct TruthValue {
 
 /// What an error may be at the finest size of the full and of the quick form, and the least order at which
 /// errors must fall (0: not asked). A bar is at or above what was measured when the problem was written, and
-/// never so wide that a wrong element would pass.
+/// not so wide that a wrong element would pass, but for the contact patches with cells, which do not pass that test: their bars only say how far off they are.
 struct TruthBar {
   double full = 0, quick = 0, order = 0;
 };

@@ -39,6 +39,20 @@ TEST(PartMovement, eachChangeIsOneStepAndComesBack) {
   EXPECT_EQ(movementOf(document.scenario(), "bone"), Movement::Free);
 }
 
+/// What holds a part still takes its loads, not what is to be done on it.
+TEST(PartMovement, aFixedPartKeepsItsTasks) {
+  Document document;
+  Scene scene = twoParts();
+  Task task;
+  task.id = "touch";
+  task.places = {{"bone", "", "", Vec3(0.01, 0, 0), {}}};
+  scene.scenario.training.tasks = {task};
+  scene.scenario.training.limits = {{"gentle", "", "bone", "", 2}};
+  document.open(scene, {});
+  EXPECT_TRUE(setMovement(document, "bone", Movement::Fixed));
+  EXPECT_TRUE(document.scenario().training == scene.scenario.training);
+}
+
 TEST(PartMovement, tissueIsFixedOrFreeAndStrangersAreRefused) {
   Document document;
   document.open(twoParts(), {});

@@ -56,6 +56,14 @@ TEST(StudyFolder, anEndBringsTheWholeDocumentOrTheReason) {
   EXPECT_EQ(study.error()->place.element, 7);
   EXPECT_EQ(study.error()->arguments, (Arguments{"one", "two"}));
 
+  LabFolder again;  // where an older study lies
+  again.append(R"({"build":"b0","scenario":"old","tables":[{"id":"settings","facts":{},"columns":["setting"],"rows":[{"setting":"scene"}]}]})", "accuracy.json");
+  again.append(R"({"study":"accuracy","scenario":"new"})" "\n" R"({"ended":"failed","document":false,"error":{"fault":"FileMissing","arguments":[]}})" "\n");
+  StudyFolder failed(again.path());
+  failed.look();
+  EXPECT_FALSE(failed.isWhole()) << "what lies there is not of this one";
+  EXPECT_TRUE(failed.rows("settings").empty());
+
   LabFolder merged;  // no progress of its own
   merged.append(R"({"build":"b1","dt":0.005,"scenario":"c","tables":[{"id":"settings","facts":{},"columns":["setting"],"rows":[{"setting":"scene"}]}]})", "accuracy.json");
   const Result<StudyFolder> opened = StudyFolder::open(merged.path());

@@ -107,6 +107,7 @@ TEST_F(Lab, aQuickStudyGrowsIsAppliedAndUndone) {
   QTest::mouseMove(&plot, place->toPoint());
   QTest::mouseClick(&plot, Qt::LeftButton, {}, place->toPoint());
   auto* words = child<QLabel>("lab.accuracy.words2");
+  EXPECT_FALSE(plot.chosen().empty()) << "a click chooses";
   if (plot.chosen() != "dt=2.5ms") accuracy().choose(QStringLiteral("dt=2.5ms"));  // another point lies on it
   EXPECT_TRUE(words->text().contains(QStringLiteral("Steps of 2.5 ms"))) << words->text().toStdString();
   const double before = document.scenario().dt;
@@ -132,12 +133,14 @@ TEST_F(Lab, aQuickStudyGrowsIsAppliedAndUndone) {
 
   // Keys go through the points.
   plot.setFocus();
-  const std::string first = plot.chosen();
   QTest::keyClick(&plot, Qt::Key_Left);
-  QTest::keyClick(&plot, Qt::Key_Left);
+  QTest::keyClick(&plot, Qt::Key_Return);
+  const std::string left = plot.chosen();
+  EXPECT_FALSE(left.empty());
+  QTest::keyClick(&plot, Qt::Key_Right);
   QTest::keyClick(&plot, Qt::Key_Right);
   QTest::keyClick(&plot, Qt::Key_Return);
-  EXPECT_FALSE(plot.chosen().empty());
+  EXPECT_NE(plot.chosen(), left);
 
   setLanguage(QStringLiteral("es"));
   EXPECT_TRUE(until([&] { return child<QPushButton>("lab.accuracy.apply")->text() != QStringLiteral("&Apply to the scene"); }));

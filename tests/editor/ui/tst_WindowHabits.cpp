@@ -8,6 +8,7 @@
 
 #include "app/StudioScene.h"
 #include "editor/core/PartEdits.h"
+#include "simcore/scene/RecordingFile.h"
 #include "simcore/scene/ScenarioFile.h"
 #include "tests/editor/ui/GuiTest.h"
 
@@ -32,6 +33,11 @@ TEST_F(WindowHabits, saveSavesWhereTheSceneLiesWithoutAQuestionAndKeepsItsJoint)
   const QString path = folder.filePath(QStringLiteral("mine.scenario.json"));
   Scene scene = document.scene();
   scene.scenario.joint = "bones.joint";
+  scene.scenario.input = "hands.recording";
+  Recording hands;
+  hands.scenario = "mine";
+  hands.profile = "direct";
+  ASSERT_TRUE(saveRecording(hands, folder.filePath(QStringLiteral("hands.recording")).toStdString()));
   ASSERT_TRUE(saveScene(scene, path.toStdString()));  // writes mine.joint; a file that names its joint otherwise:
   ASSERT_TRUE(QFile::rename(folder.filePath(QStringLiteral("mine.joint")), folder.filePath(QStringLiteral("bones.joint"))));
   ASSERT_TRUE(saveScenario(scene.scenario, path.toStdString()));
@@ -46,6 +52,7 @@ TEST_F(WindowHabits, saveSavesWhereTheSceneLiesWithoutAQuestionAndKeepsItsJoint)
   ASSERT_TRUE(again) << toLogLine(again.error());
   EXPECT_EQ(again->joint.parts.at(1).name, "Deltoid");
   EXPECT_EQ(again->scenario.joint, "bones.joint");
+  EXPECT_EQ(again->scenario.input, "hands.recording") << "saved where it lies it keeps its hands";
 }
 
 TEST_F(WindowHabits, spacePressesTheButtonThatHasTheFocusAndPlaysElsewhere) {

@@ -60,6 +60,10 @@ TEST(DeviceAnchor, beginsAtTheToolsHomeAndMovesAsSeenFromTheCamera) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(isHandPose(anchor.toWorld({Vec3(nan, 0, 0), Quat::Identity()})));
   EXPECT_LT((anchor.toWorld({Vec3(-1, -1, -1), Quat::Identity()}).p_WB - moved.p_WB).norm(), 1e-12) << "what is no pose anchors nothing";
+  // A last word far off, then gone: back, it goes on from where the tool was, not from there.
+  anchor.toWorld({Vec3(4, 4, 4), Quat::Identity()});
+  anchor.lift();
+  EXPECT_LT((anchor.toWorld({Vec3(2, 2, 2), Quat::Identity()}).p_WB - moved.p_WB).norm(), 1e-12);
 }
 
 TEST(DevicePort, aDeviceWithForcesAgesAndOneWithoutIsGoneThroughEvenly) {

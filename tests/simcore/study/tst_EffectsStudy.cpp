@@ -116,6 +116,7 @@ TEST(EffectsStudy, hapticsMovesNothingAndFollowsTheHand) {
   EXPECT_EQ(row.automatic.reason, "run-felt");
   for (const AccuracyError& apart : row.loss->apart.by) EXPECT_EQ(apart.most, 0);
   EXPECT_GT(row.times->pairs, 0);
+  EXPECT_GT(row.times->price.median, 0) << "what it publishes after each step takes time";
 }
 
 TEST(EffectsStudy, refusesEffectsThatAreNotThereAndStopsWhenAsked) {

@@ -2,6 +2,7 @@
 // Each kind of task in a real run over a fixed slab: done when it should be, and not when it should not.
 #include <gtest/gtest.h>
 
+#include "simcore/train/TrainingWatch.h"
 #include "tests/simcore/train/TrainingScenes.h"
 
 namespace glenoid {
@@ -208,6 +209,17 @@ TEST(Order, thatIsAskedForOpensOneTaskAfterTheOther) {
   EXPECT_DOUBLE_EQ(*free.value("order"), 1);
 }
 
+TEST(Order, aPressThatBeganForTheTaskBeforeIsNoErrorOfTheNext) {
+  // The third has the first's place: while the finger leaves that, the second is open.
+  const std::vector<Task> tasks = {taskAt("first", TaskKind::Touch, "left"), taskAt("second", TaskKind::Touch, "right"), taskAt("third", TaskKind::Touch, "left")};
+  std::vector<HandStop> stops;
+  for (const Vec3& x : {kLeft, kRight, kLeft})
+    for (const HandStop& stop : pressAt(x, 2, 1)) stops.push_back(stop);
+  const auto report = after(tasks, stops, true);
+  EXPECT_TRUE(report.finished);
+  EXPECT_DOUBLE_EQ(*report.value("errors"), 0);
+}
+
 TEST(Time, missesATaskAndScoresSlowOnesLess) {
   Task task = taskAt("touch", TaskKind::Touch, "left");
   task.timeMax = 1;
@@ -236,6 +248,45 @@ TEST(Limits, countEachTimeTheForcePassesThemWhateverTheTask) {
   EXPECT_DOUBLE_EQ(*report.value("errors"), 3);
   EXPECT_NEAR(*report.value("slab-hard.forceMax"), 6, 0.6);
   EXPECT_NEAR(*report.value("right-hard.tooHardSeconds"), 0.6, 0.1);
+}
+
+/// What a changed model or recording does in the window: a watch that comes to a run under way.
+TEST(TakenUp, beginsItsClocksAndTrailsWhereTheRunIs) {
+  Scenario scenario = slabScenario();
+  Task touch = taskAt("touch", TaskKind::Touch, "left");
+  touch.timeMax = 3;
+  touch.timeGood = 3;
+  scenario.training.tasks = {touch};
+  const auto model = compileModel(slabJoint(), scenario).value();
+  Recording input;
+  std::vector<HandStop> stops = {{over(kLeft), 4.0}};
+  for (const HandStop& stop : pressAt(kLeft, 2, 1)) stops.push_back(stop);
+  input.tracks = {handThrough(scenario, "finger", stops)};
+  TrainingWatch late = TrainingWatch::make(*model).value();
+  RunOptions options;
+  options.seconds = inputSeconds(input);
+  options.input = &input;
+  options.checks = false;
+  options.observe = [&](const StepReport& step, const State& state, std::span<const Penetration>) {
+    if (state.time > 4.5) late.add(step, state);
+  };
+  ASSERT_TRUE(runScenario(model, options));
+  const TrainingReport report = late.report();
+  EXPECT_EQ(report.tasks[0].record.outcome, TaskOutcome::Done) << "three seconds from 4.5 s, not from 0";
+  EXPECT_LT(*report.value("time"), 3);
+  EXPECT_LT(*report.value("finger.path"), 0.06) << "not the way from home";
+}
+
+TEST(Limits, onARegionCountOnlyWhatTouchesThat) {
+  // Two tools of which only one is on it; and one contact on each side of its border at once.
+  Scenario scenario = slabScenario();
+  scenario.training.limits = {{"right-hard", "Right", "slab", "right-half", 0.2}};
+  Task never = taskAt("never", TaskKind::Touch, "below");
+  never.tolerance = 1e-4;
+  const auto left = after(scenario, {never}, pressAt(kLeft, 6, 0.5));
+  EXPECT_DOUBLE_EQ(*left.value("right-hard.forceMax"), 0);
+  const auto border = after(scenario, {never}, pressAt(Vec3(0.0005, 0, 0), 4, 0.5));
+  EXPECT_GT(*border.value("right-hard.forceMax"), 0.5) << "some of its contacts are on it";
 }
 
 }  // namespace

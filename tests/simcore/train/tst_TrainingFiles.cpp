@@ -76,6 +76,12 @@ TEST(TrainingFile, refusesWhatCannotBeDoneAndSaysWhere) {
   EXPECT_EQ(refused([](Training& t) { t.tasks[1].places[0].region = "right-half"; }), "/training/tasks/1/places/0");
   EXPECT_EQ(refused([](Training& t) { t.tasks[3].places[0].normal_W.reset(); }), "/training/tasks/3/places/0");
   EXPECT_EQ(refused([](Training& t) { t.tasks[1].kind = TaskKind::Trace; }), "/training/tasks/1/places");
+  EXPECT_EQ(refused([](Training& t) { t.tasks[2].places[0].landmark.clear(); }), "/training/tasks/2/places/0");  // the middle of a part is seen by nobody
+  EXPECT_EQ(refused([](Training& t) {
+              t.tasks[1].kind = TaskKind::Trace;
+              t.tasks[1].places = {t.tasks[1].places[0], {"other", "there", "", {}, {}}};
+            }),
+            "/training/tasks/1/places");
   EXPECT_EQ(refused([](Training& t) { t.form[0].worst = 1; }), "/training/form/0");
   EXPECT_EQ(refused([](Training& t) { t.tasks[0].weight = -1; }), "/training/tasks/0/weight");
   EXPECT_EQ(refused([](Training& t) { t.references[0].sd = 0; }), "/training/references/0/sd");
@@ -89,7 +95,7 @@ TEST(TrainingFile, refusesWhatCannotBeDoneAndSaysWhere) {
   };
   EXPECT_EQ(unknown([](Training&) {}), "accepted");
   EXPECT_EQ(unknown([](Training& t) { t.tasks[1].places[0].landmark = "nowhere"; }), "/training/tasks/1/places/0/landmark");
-  EXPECT_EQ(unknown([](Training& t) { t.tasks[2].places[0] = {"slab", "", "nowhere", {}, {}}; }), "/training/tasks/2/places/0/region");
+  EXPECT_EQ(unknown([](Training& t) { t.tasks[1].places[0] = {"slab", "", "nowhere", {}, {}}; }), "/training/tasks/1/places/0/region");
   EXPECT_EQ(unknown([](Training& t) { t.tasks[2].places[0].part = "bone"; }), "/training/tasks/2/places/0/part");
   EXPECT_EQ(unknown([](Training& t) { t.limits[0].region = "nowhere"; }), "/training/limits/0/region");
 }
@@ -107,10 +113,10 @@ TEST(TrainingFile, aFormThatNamesNoMetricIsRefusedWhenTheSceneIsRun) {
 
 TEST(TrainingFile, whatLosesItsPartGoesAndTheRestStays) {
   Scenario scenario = full();
-  dropActionsOn(scenario, "slab", "right-half");
+  dropFromTraining(scenario.training, "slab", "right-half");
   EXPECT_TRUE(scenario.training.limits.empty());
   EXPECT_EQ(scenario.training.tasks.size(), 4u);
-  dropActionsOn(scenario, "slab");
+  dropFromTraining(scenario.training, "slab");
   ASSERT_EQ(scenario.training.tasks.size(), 1u);  // the ring in the room
   EXPECT_EQ(scenario.training.tasks[0].id, "pass");
   Training training = full().training;
@@ -124,6 +130,7 @@ TEST(TrainingFile, whatLosesItsPartGoesAndTheRestStays) {
 TEST(TrainingFile, mirroredTwiceIsTheSame) {
   const Scenario scenario = full(), once = mirroredScenario(scenario);
   EXPECT_EQ(once.training.tasks[0].name, "Follow the left hand");
+  EXPECT_EQ(mirroredScenario([&] { Scenario right = scenario; right.training.text = "Hold it right"; return right; }()).training.text, "Hold it left");
   EXPECT_EQ(once.training.tasks[0].keys[1].displacement_W, Vec3(0, 0, -0.01));
   EXPECT_EQ(*once.training.tasks[3].places[0].normal_W, Vec3(0, 0, -1));
   EXPECT_TRUE(mirroredScenario(once).training == scenario.training);
