@@ -2663,6 +2663,10 @@
         <translation>Engrosar hasta %1 mm</translation>
     </message>
     <message>
+        <source>Draw a new closed surface around it</source>
+        <translation>Envolverla en una superficie cerrada nueva</translation>
+    </message>
+    <message>
         <source>Cut those triangles out and close the holes</source>
         <translation>Recortar esos triángulos y cerrar los agujeros</translation>
     </message>

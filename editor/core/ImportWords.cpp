@@ -67,7 +67,8 @@ QString Words::repair(const Finding& f, const QString& length) {
     case FindingKind::Holes: return tr("Close them");
     case FindingKind::Sheets:
     case FindingKind::Thin: return tr("Thicken to %1 mm").arg(length);
-    case FindingKind::SelfIntersections: return tr("Cut those triangles out and close the holes");
+    case FindingKind::SelfIntersections:
+      return f.repairs[0].kind == RepairKind::Wrap ? tr("Draw a new closed surface around it") : tr("Cut those triangles out and close the holes");
     case FindingKind::Unit:
     case FindingKind::Handles:
     case FindingKind::CannotBeRead: break;

@@ -16,6 +16,8 @@
 namespace glenoid {
 namespace {
 
+constexpr double kCutsPerTriangle = 0.02;  ///< pairs that cut each other, of each triangle, beyond which a new surface is advised
+
 /// Collects the findings of one surface.
 class Diagnosing {
  public:
@@ -267,7 +269,9 @@ class Diagnosing {
     m_out.selfIntersections = static_cast<long>(pairs.size());
     if (pairs.empty()) return;
     Finding& finding = add(FindingKind::SelfIntersections, FindingSeverity::Warning, m_out.selfIntersections);
-    finding.repairs = {{RepairKind::RemoveSelfIntersections}};
+    // Where it cuts itself all over, taking out what does would leave more hole than surface.
+    const bool hopeless = m_out.selfIntersections > kCutsPerTriangle * m_out.triangles;
+    finding.repairs = {{hopeless ? RepairKind::Wrap : RepairKind::RemoveSelfIntersections}};
     std::vector<int> where;
     for (const auto& pair : pairs) where.insert(where.end(), pair.begin(), pair.end());
     mark(finding, std::move(where));
@@ -303,19 +307,22 @@ std::vector<RepairStep> repairsFor(const SurfaceDiagnosis& diagnosis, const std:
     return std::any_of(wanted.begin(), wanted.end(), [&](const RepairStep& step) { return step.kind == kind; });
   };
   std::vector<RepairStep> ordered;
+  const bool anew = has(RepairKind::Wrap);  // then nothing of how the triangles hang together matters
   const auto take = [&](RepairKind kind) {
     for (const RepairStep& step : wanted)
       if (step.kind == kind) return ordered.push_back(step);
   };
   for (const RepairKind kind : {RepairKind::KeepSide, RepairKind::Weld, RepairKind::DropDegenerate, RepairKind::DropDuplicates, RepairKind::Orient,
                                 RepairKind::SplitNonManifold, RepairKind::DropSheets, RepairKind::KeepLargest, RepairKind::DropSmall, RepairKind::FillHoles})
-    take(kind);
-  if (has(RepairKind::FillHoles)) {
+    if (!anew || kind == RepairKind::KeepSide) take(kind);
+  for (const RepairKind kind : {RepairKind::Wrap, RepairKind::KeepLargest, RepairKind::DropSmall})  // pieces through each other become one first
+    if (anew) take(kind);
+  if (!anew && has(RepairKind::FillHoles)) {
     ordered.push_back({RepairKind::DropDegenerate});  // a crack closes to a face without area
     ordered.push_back({RepairKind::Orient});
   }
-  take(RepairKind::RemoveSelfIntersections);
-  if (has(RepairKind::Outwards) || has(RepairKind::Orient) || has(RepairKind::FillHoles) || has(RepairKind::SplitNonManifold))
+  if (!anew) take(RepairKind::RemoveSelfIntersections);
+  if (!anew && (has(RepairKind::Outwards) || has(RepairKind::Orient) || has(RepairKind::FillHoles) || has(RepairKind::SplitNonManifold)))
     ordered.push_back({RepairKind::Outwards});
   take(RepairKind::Thicken);
   return ordered;

@@ -101,6 +101,37 @@ TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& l
   return out;
 }
 
+namespace {
+
+/// What of a surface a repair may not eat.
+struct Measure {
+  double area = 0, volume = 0;  ///< the volume about the middle of its box, whether it is closed or not
+  Vec3 size = Vec3::Zero();
+
+  bool isMuchOf(const Measure& before) const {
+    constexpr double kMostArea = 0.1, kMostVolume = 0.02, kMostSize = 0.01;  // shares that may go, or come
+    const double noVolume = 1e-6 * before.area * before.size.norm();         // of a sheet, whose volume says nothing
+    return area >= (1 - kMostArea) * before.area && std::abs(volume - before.volume) <= kMostVolume * std::abs(before.volume) + noVolume &&
+           (size - before.size).cwiseAbs().maxCoeff() <= kMostSize * before.size.norm();
+  }
+};
+
+Measure measureOf(const TriMesh& mesh) {
+  Measure measure;
+  const Box3 box = boundsOf(mesh);
+  if (box.isEmpty()) return measure;
+  const Vec3 middle = box.center();
+  measure.size = box.sizes();
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices[t[0]] - middle, b = mesh.vertices[t[1]] - middle, c = mesh.vertices[t[2]] - middle;
+    measure.area += 0.5 * (b - a).cross(c - a).norm();
+    measure.volume += a.dot(b.cross(c)) / 6;
+  }
+  return measure;
+}
+
+}  // namespace
+
 TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left) {
   TriMesh best = mesh;
   std::size_t bestCuts = selfCuts(mesh).size();
@@ -111,6 +142,7 @@ TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left) {
     return open;
   };
   const long openBefore = openIn(mesh);
+  const Measure whole = measureOf(mesh);
   for (int round = 0; round < 6 && bestCuts > 0; ++round) {
     TriMesh tried = best;
     // The cut triangles and as many rings around them as rounds have gone by.
@@ -144,7 +176,7 @@ TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left) {
     long flat = 0, flatLeft = 0;
     tried = withoutDegenerate(tried, flat, flatLeft);
     const std::size_t cuts = selfCuts(tried).size();
-    if (cuts < bestCuts && openIn(tried) <= openBefore) {
+    if (cuts < bestCuts && openIn(tried) <= openBefore && measureOf(tried).isMuchOf(whole)) {
       best = tried;
       bestCuts = cuts;
       round = -1;  // from the small ring again

@@ -10,6 +10,7 @@
 #include "simcore/repair/Edges.h"
 #include "simcore/repair/Topology.h"
 #include "simcore/repair/Weld.h"
+#include "simcore/repair/Wrap.h"
 
 namespace glenoid {
 namespace {
@@ -32,6 +33,7 @@ constexpr std::array<Word, kRepairKindCount> kWords{{{RepairKind::Weld, "weld", 
                                                      {RepairKind::KeepSide, "keepSide", Word::SignedAxis},
                                                      {RepairKind::RemoveSelfIntersections, "removeSelfIntersections", Word::Nothing},
                                                      {RepairKind::Thicken, "thicken", Word::Amount},
+                                                     {RepairKind::Wrap, "wrap", Word::MayAmount},
                                                      {RepairKind::Scale, "scale", Word::Amount},
                                                      {RepairKind::Mirror, "mirror", Word::Axis}}};
 
@@ -112,6 +114,11 @@ Result<TriMesh> take(const TriMesh& mesh, const RepairStep& step, RepairChange& 
     case RepairKind::Thicken:
       if (!(step.amount > 0 && std::isfinite(step.amount))) return outOfRange(step, "0");
       return thickened(mesh, step.amount, change.changed, change.left, change.measure);
+    case RepairKind::Wrap: {
+      if (!(step.amount >= 0 && std::isfinite(step.amount))) return outOfRange(step, "0");
+      change.changed = static_cast<long>(mesh.triangles.size());
+      return wrapped(mesh, step.amount);
+    }
     case RepairKind::Scale:
       if (!(step.amount > 0 && std::isfinite(step.amount))) return outOfRange(step, "0");
       change.changed = static_cast<long>(mesh.vertices.size());
@@ -134,7 +141,7 @@ const char* repairName(RepairKind kind) {
   return "";
 }
 
-bool isLength(RepairKind kind) { return kind == RepairKind::Weld || kind == RepairKind::FillHoles || kind == RepairKind::Thicken; }
+bool isLength(RepairKind kind) { return kind == RepairKind::Weld || kind == RepairKind::FillHoles || kind == RepairKind::Thicken || kind == RepairKind::Wrap; }
 
 Result<RepairStep> repairStepFrom(std::string_view text) {
   const std::size_t mark = text.find('=');

@@ -26,6 +26,7 @@ enum class RepairKind {
   KeepSide,                ///< axis and its sign in `axis`: one of two body sides
   RemoveSelfIntersections,
   Thicken,                 ///< amount: thickness, > 0
+  Wrap,                    ///< a new surface around all of it (Wrap.h); amount: openings up to this width are bridged; 0: a hundredth of the diagonal
   Scale,                   ///< amount: factor, > 0
   Mirror,                  ///< axis
 };
@@ -68,7 +69,7 @@ struct RepairOutcome {
 
 /// Takes the steps one after the other. Pure: the same mesh and steps give the same answer. Fails with BadIndex or
 /// NotFinite for a mesh that cannot be read, with OutOfRange for an amount that makes no sense, and with BadMesh
-/// (argument: what) when a step would leave nothing. Lengths with a unit need the surface's own, m (0: not known), else BadUsage;
+/// (argument: what) when a step would leave nothing. Wrap fails as wrapped() does. Lengths with a unit need the surface's own, m (0: not known), else BadUsage;
 /// Scale leaves it as it is: what was a millimetre is one afterwards.
 Result<RepairOutcome> repair(const TriMesh& mesh, const std::vector<RepairStep>& steps, double metresPerUnit = 0);
 

@@ -29,7 +29,8 @@ TriMesh turnedOutwards(const TriMesh& mesh, long& changed);
 TriMesh withoutHoles(const TriMesh& mesh, double longest, long& changed, long& left, double& longestLeft, bool zip = true);
 
 /// Cuts out triangles that cut each other, with a ring around them, and closes the holes, some rounds with growing
-/// rings. Kept only where it makes fewer cuts and leaves the surface closed if it was. `changed`: pairs gone;
+/// rings. Kept only where it makes fewer cuts, leaves the surface closed if it was, and takes at most a tenth of its area, 2 % of
+/// its volume and 1 % of its size. `changed`: pairs gone;
 /// `left`: pairs that stay. Source: Attene, "A lightweight approach to repairing digitized polygon meshes", 2010.
 TriMesh withoutSelfCuts(const TriMesh& mesh, long& changed, long& left);
 

@@ -250,7 +250,7 @@ TEST(Repair, stepsAreWords) {
   for (const char* word : {"weld", "weld=0.001", "dropDegenerate", "dropDuplicates", "splitNonManifold", "orient", "outwards", "fillHoles", "fillHoles=0.05",
                            "keepLargest", "dropSmall=0.02", "dropSheets", "keepSide=-x", "keepSide=+z", "removeSelfIntersections", "thicken=0.002",
                            "scale=0.0254", "mirror=y", "thicken=1mm", "weld=0.05mm", "fillHoles=2cm", "weld=10um", "thicken=0.1inch",
-                           "fillHoles=0.5m", "fillHoles=0.5ft"}) {
+                           "fillHoles=0.5m", "fillHoles=0.5ft", "wrap", "wrap=2mm"}) {
     const auto step = repairStepFrom(word);
     ASSERT_TRUE(step.ok()) << word;
     EXPECT_EQ(toWord(*step), word);
