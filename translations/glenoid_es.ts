@@ -3921,6 +3921,10 @@
         <source>“%1” lay %2 mm deep in itself at %3 s, beyond the limit of %4 mm: what the run says after that is not to be trusted.</source>
         <translation>«%1» estaba %2 mm dentro de sí mismo a los %3 s, por encima del límite de %4 mm: lo que la ejecución diga después no es de fiar.</translation>
     </message>
+    <message>
+        <source>In %1 of %2 steps, first at step %3 (%4 s), contacts would have cost more than a step may: some of them were left out or the step was taken in fewer parts, so what parts do to each other there is only roughly right.</source>
+        <translation>En %1 de %2 pasos, el primero el %3 (%4 s), los contactos habrían costado más de lo que un paso puede: algunos se dejaron fuera o el paso se dividió en menos partes, así que lo que las piezas se hacen unas a otras es ahí solo aproximado.</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::NoticeStrip</name>

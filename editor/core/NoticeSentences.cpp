@@ -83,6 +83,10 @@ QString NoticeSentences::of(const Notice& n, const NameOf& nameOf) {
       return tr("The steps are too long for the recording: the hand of “%1” passes its path at %2 s by %3 mm, and contact begins at "
                 "%4 mm.")
           .arg(name(n.subject), time, millimetres(n.figure), millimetres(n.limit));
+    case NoticeKind::Bounded:
+      return tr("In %1 of %2 steps, first at step %3 (%4 s), contacts would have cost more than a step may: some of them were left out or "
+                "the step was taken in fewer parts, so what parts do to each other there is only roughly right.")
+          .arg(number(n.figure, 9), number(n.limit, 9), QString::number(n.step), time);
     case NoticeKind::TimeUp:
       if (n.subject.empty())
         return tr("The run took longer than %1 s and was stopped at step %2 (%3 s).").arg(number(n.limit), QString::number(n.step), time);

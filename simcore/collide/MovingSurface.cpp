@@ -164,4 +164,41 @@ MovingSurface::Nearest MovingSurface::nearest(const Vec3& p, double reach) {
   return nearestOf(p, reach, [](int, double) { return true; });
 }
 
+MovingSurface::Nearest MovingSurface::leaving(const Vec3& p, const Vec3& way, double slack) const {
+  constexpr double kGrazing = 1e-6;  // cosine
+  Nearest found;
+  found.distance = 2 * m_topology->size;
+  const Vec3 inverse = way.cwiseInverse();
+  const auto meets = [&](const BoxTree::Node& node) {
+    double from = 0, to = found.distance;
+    for (int k = 0; k < 3; ++k) {
+      if (way[k] == 0) {
+        if (p[k] < node.low[k] || p[k] > node.high[k]) return false;
+        continue;
+      }
+      const double one = (node.low[k] - p[k]) * inverse[k], other = (node.high[k] - p[k]) * inverse[k];
+      from = std::max(from, std::min(one, other));
+      to = std::min(to, std::max(one, other));
+    }
+    return from <= to;
+  };
+  m_tree.walk(meets, [&](int t) {
+    const double along = m_faceNormal[t].dot(way);
+    if (!m_hasFace[t] || along < kGrazing) return;
+    const double s = -height(t, p) / along;
+    if (!(s >= 0 && s < found.distance)) return;
+    const auto [i, j, k] = m_topology->triangles[t];
+    const Vec3 there = p + s * way, w = nearestBarycentric(there, m_x[i], m_x[j], m_x[k]);
+    const Vec3 foot = w[0] * m_x[i] + w[1] * m_x[j] + w[2] * m_x[k];
+    if ((foot - there).squaredNorm() > slack * slack) return;
+    found.triangle = t;
+    found.barycentric = w;
+    found.point = foot;
+    found.distance = s;
+  });
+  found.feature = {FeatureKind::Face, found.triangle};
+  found.inside = true;
+  return found;
+}
+
 }  // namespace glenoid

@@ -138,6 +138,8 @@ class MovingSurface {
     found.inside = true;
     return found;
   }
+  /// Where a ray from p along a unit direction first leaves the body through a face (its border too, to within `slack`).
+  Nearest leaving(const Vec3& p, const Vec3& way, double slack) const;
 
  private:
   static constexpr double kAhead = 2;  ///< times the surface's size

@@ -11,27 +11,34 @@ namespace {
 /// How many times as far as the nearest way out, or the contact distance, an allowed one may be: what is swallowed whole
 /// has to leave by one side.
 constexpr double kOtherWay = 3;
+/// Covers the rounding of a sum of distances.
+constexpr double kRounded = 1 + 1e-9;
 
 }  // namespace
 
-void PairSearch::suspect(Side& mine, int vertex) {
+void PairSearch::suspect(Side& mine, int vertex, double within) {
   if (mine.queueMark[vertex] == m_mark) return;
   mine.queueMark[vertex] = m_mark;
   mine.queue.push_back(vertex);
+  mine.queueWithin[vertex] = within;
 }
 
-/// Sine of the angle by which −outward lies outside the normal cone of the vertex; not above zero inside.
-double PairSearch::leavesCone(Side& mine, int vertex, const Vec3& outward) {
+void PairSearch::takeCone(Side& mine, int vertex) {
   MovingSurface& surface = *mine.surface;
-  double most = outward.dot(surface.vertexNormal(vertex).stableNormalized());
+  m_coneNormal = surface.vertexNormal(vertex).stableNormalized();
+  m_coneWays.clear();
   for (const int e : surface.topology().edgesOf(vertex)) {
     if (!mine.owners->edgeTakesPart[e]) continue;
     const auto& ends = surface.topology().edges[e].vertices;
     const Vec3 way = surface.x(ends[0] == vertex ? ends[1] : ends[0]) - surface.x(vertex);
-    const double length = way.norm();
-    if (length > 0) most = std::max(most, -outward.dot(way) / length);
+    if (const double length = way.norm(); length > 0) m_coneWays.push_back({way, length});
   }
-  return most;
+}
+
+/// Whether −outward lies outside the normal cone of the vertex taken last, widened.
+bool PairSearch::leavesCone(const Vec3& outward) const {
+  if (outward.dot(m_coneNormal) > kOverlapped) return true;
+  return std::any_of(m_coneWays.begin(), m_coneWays.end(), [&](const auto& way) { return -outward.dot(way.first) / way.second > kOverlapped; });
 }
 
 /// From the vertices where the surfaces meet along the edges to all that are inside. Each is pushed out the nearest way
@@ -47,23 +54,29 @@ void PairSearch::followInside(Side& mine, Side& other) {
     if (m_self && !covered(vertex)) continue;  // a ray, against a search among triangles of which few count
     const Vec3& p = mine.surface->x(vertex);
     ++m_counts->depthQueries;
-    MovingSurface::Nearest nearest = nearestTo(other, vertex, p, reach);
+    MovingSurface::Nearest nearest = nearestTo(other, vertex, p, std::min(reach, mine.queueWithin[vertex]));
     if (nearest.triangle < 0) continue;
     const bool touches = nearest.distance < m_touching;
     if (!nearest.inside && !touches) continue;
+    bool glued = false;  // reaches what takes no part
     if (nearest.inside)
       for (const int e : mine.surface->topology().edgesOf(vertex)) {
         const auto& ends = mine.surface->topology().edges[e].vertices;
-        suspect(mine, ends[0] == vertex ? ends[1] : ends[0]);
+        const int neighbour = ends[0] == vertex ? ends[1] : ends[0];
+        glued = glued || !mine.owners->vertexTakesPart[neighbour];
+        // No further than by way of this vertex: from deep inside, a bound saves most of the search. Of one surface other triangles
+        // count for each vertex.
+        suspect(mine, neighbour, m_self ? kAnyDistance : kRounded * (nearest.distance + (mine.surface->x(neighbour) - p).norm()) + m_touching);
       }
 
     Vec3 outward = nearest.feature.kind == FeatureKind::Face ? surface.faceNormal(nearest.triangle)
                    : touches                                 ? Vec3(surface.normalOf(nearest.feature).stableNormalized())
                                                              : Vec3((nearest.point - p) / nearest.distance);
-    if (outward.isZero(0) || leavesCone(mine, vertex, outward) > kOverlapped) {
+    takeCone(mine, vertex);
+    if (outward.isZero(0) || leavesCone(outward)) {
       ++m_counts->depthQueries;
       const auto allowed = [&](const Vec3& normal, int t, double depth2) {
-        return (!m_self || mayBeInside(vertex, t, std::sqrt(depth2))) && leavesCone(mine, vertex, normal) <= kOverlapped;
+        return (!m_self || mayBeInside(vertex, t, std::sqrt(depth2))) && !leavesCone(normal);
       };
       const double further = std::min(reach, std::max(kOtherWay * nearest.distance, m_settings.contactDistance));
       const MovingSurface::Nearest facing = surface.nearestFace(p, further, m_touching, allowed);
@@ -76,8 +89,9 @@ void PairSearch::followInside(Side& mine, Side& other) {
     } else if (touches) {
       continue;  // found by what it touches
     }
-    if (other.owners->ofTriangle[nearest.triangle] & FeatureOwners::kSkipped) continue;
-    if (outward.isZero(0)) continue;
+    const bool skipped = other.owners->skipped(nearest.triangle);
+    keepInside(mine, vertex, outward, glued || skipped);
+    if (skipped || outward.isZero(0)) continue;
     emitVertex(mine, other, vertex, nearest.triangle, nearest.barycentric, nearest.feature, outward, -nearest.distance);
   }
 }

@@ -17,9 +17,18 @@ void PairSearch::prepare(Side& side, MovingSurface& surface, const FeatureOwners
     side.chain.resize(count);
     side.chainMark.resize(count, 0);
     side.queueMark.resize(count, 0);
+    side.queueWithin.resize(count);
     side.queue.reserve(count);
+    side.insideMark.resize(count, 0);
+    side.insideAt.resize(count);
+    side.inside.reserve(count);
+  }
+  if (const std::size_t triangles = surface.topology().triangles.size(); side.meetingMark.size() < triangles) {
+    side.meetingMark.resize(triangles, 0);
+    side.meetingAt.resize(triangles);
   }
   side.queue.clear();
+  side.inside.clear();
 }
 
 void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOwners& ownersA,
@@ -40,6 +49,8 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
   ++m_mark;
   prepare(m_a, a, ownersA);
   prepare(m_b, b, ownersB);
+  m_meeting.clear();
+  const std::size_t first = out.size();
   BoxTree::walkPairs(a.tree(), b.tree(), sweep, [this](int ta, int tb) { trianglePair(ta, tb); });
 
   // A surface that the other swallows whole meets no triangle; one vertex tells.
@@ -52,6 +63,7 @@ void PairSearch::run(const Settings& settings, MovingSurface& a, const FeatureOw
   if (ownersB.anyVertex >= 0 && within(rootB, rootA)) suspect(m_b, ownersB.anyVertex);
   followInside(m_a, m_b);
   followInside(m_b, m_a);
+  partDeepOverlaps(first);
 }
 
 /// How far the drift of A against that of B carries it within the step, in any mixture of their motions. Boxes hold
@@ -121,6 +133,7 @@ void PairSearch::trianglePair(int ta, int tb) {
   }
   if (meetable && overB.crosses() && overA.crosses() && !(liesIn(a, ia, b, tb) && liesIn(b, ib, a, ta)) &&
       !(m_self && m_self->crossAtRest(ta, tb)) && trianglesMeet({a.x(ia[0]), a.x(ia[1]), a.x(ia[2])}, {b.x(ib[0]), b.x(ib[1]), b.x(ib[2])})) {
+    if (!m_self) m_meeting.push_back({ta, tb});
     for (int k = 0; k < 3; ++k) {
       suspect(first, ia[k]);
       suspect(second, ib[k]);

@@ -40,6 +40,29 @@ class PairSearch {
   /// that they do, and a vertex so near a convex edge, but beside it, may rest on the edge.
   static constexpr double kShallow = 1e-2;
 
+  /// A vertex that lies in the other surface.
+  struct Inside {
+    int vertex = -1;
+    Vec3 outward = Vec3::Zero();  ///< its way out, unit
+    Vec3 area_W = Vec3::Zero();   ///< a third of the triangles around it, along their normals, m²
+    double area = 0;
+    bool glued = false;           ///< nearest to what takes no part
+  };
+  /// Vertices of both surfaces that lie in each other in one place.
+  struct Overlap {
+    Vec3 way = Vec3::Zero();      ///< of the first surface out of the second, unit where `deep`
+    double area = 0, astray = 0;  ///< m²; of it what would leave another way
+    double across = 0, volume = 0;  ///< area seen along the way, m², and that times the way out, m³
+    bool glued = false, deep = false;
+  };
+  /// A row of a deep overlap.
+  struct Leaving {
+    int root = 0;                 ///< its overlap
+    std::array<long, 2> bin{};    ///< its place across the way
+    Vec3 p_W = Vec3::Zero();
+    Proximity row;
+  };
+
   /// One of the two surfaces, with marks for each of its vertices; a mark holds while it equals m_mark.
   struct Side {
     MovingSurface* surface = nullptr;
@@ -47,6 +70,12 @@ class PairSearch {
     std::vector<long> chainMark, queueMark;
     std::vector<int> chain;  ///< first result of this vertex; results of a vertex are linked by m_next
     std::vector<int> queue;  ///< vertices that may be inside the other surface
+    std::vector<double> queueWithin;  ///< and no further from it than this, by vertex
+    std::vector<Inside> inside;  ///< those that are
+    std::vector<long> insideMark;
+    std::vector<int> insideAt;   ///< in `inside`
+    std::vector<long> meetingMark;
+    std::vector<int> meetingAt;  ///< of a triangle that meets the other surface: its place in m_overlapOf
   };
 
   void prepare(Side& side, MovingSurface& surface, const FeatureOwners& owners);
@@ -76,9 +105,25 @@ class PairSearch {
   const Vec3* lastNormal(std::uint64_t key) const;
 
   // PairInside.cpp
-  void suspect(Side& mine, int vertex);
+  static constexpr double kAnyDistance = 1e300;
+  /// `within`: a bound on its distance to the other surface, m.
+  void suspect(Side& mine, int vertex, double within = kAnyDistance);
   void followInside(Side& mine, Side& other);
-  double leavesCone(Side& mine, int vertex, const Vec3& outward);
+  void takeCone(Side& mine, int vertex);
+  bool leavesCone(const Vec3& outward) const;
+
+  // PairDeep.cpp
+  /// A vertex that is inside; not of a surface with itself.
+  void keepInside(Side& mine, int vertex, const Vec3& outward, bool glued);
+  /// Its place among those of both surfaces.
+  int insidePlace(const Side& side, int vertex) const { return (&side == &m_a ? 0 : static_cast<int>(m_a.inside.size())) + side.insideAt[vertex]; }
+  int overlapOf(int i);
+  void joinOverlaps();
+  bool judgeOverlaps();
+  bool measureOverlaps(double least);
+  void binRows(double width);
+  /// Replaces the rows of overlaps that are too deep for nearest ways, in results from `first` on.
+  void partDeepOverlaps(std::size_t first);
 
   // PairSelf.cpp
   /// Whether a vertex that lies `depth` behind a triangle has come there from outside; always of another surface.
@@ -111,7 +156,13 @@ class PairSearch {
   NormalCone m_cone, m_against;
   const SelfRest* m_self = nullptr;  ///< of a surface with itself; null: two surfaces
   SelfFacing m_facing;
+  Vec3 m_coneNormal = Vec3::Zero();                  ///< of the vertex whose way out is looked for
+  std::vector<std::pair<Vec3, double>> m_coneWays;   ///< to its neighbours, and how far
   std::vector<int> m_next;
+  std::vector<std::array<int, 2>> m_meeting;  ///< triangles of both surfaces that intersect
+  std::vector<int> m_overlapOf;               ///< a forest of unions (joinOverlaps)
+  std::vector<Overlap> m_overlaps;            ///< by root
+  std::vector<Leaving> m_leaving;
   long m_mark = 0;
   std::vector<Proximity>* m_out = nullptr;
   ProximityFinder::Counts* m_counts = nullptr;

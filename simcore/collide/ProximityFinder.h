@@ -13,6 +13,7 @@ namespace glenoid {
 struct ProximityLimits {
   double depth = 1;        ///< of the surface that a vertex is inside: deeper it gives no constraint
   double edgeDepth = 0.5;  ///< of the thinner surface: the same for two edges that have passed each other
+  double together = 0.5;   ///< of the thinner surface: an overlap so long is undone along one way if nearest ways contradict; infinite: never
 };
 
 /// Normal of a contact in the last step, by key: what decides between equal directions.
@@ -58,6 +59,7 @@ class ProximityFinder {
     long trianglePairs = 0;             ///< whose boxes overlapped
     long vertexFace = 0, edgeEdge = 0;  ///< exact tests made
     long depthQueries = 0;              ///< nearest-point searches for what seemed to be inside
+    long deepOverlaps = 0;              ///< undone along one direction for the whole (PairDeep.cpp)
     double selfMs = 0;                  ///< thread CPU time of surfaces with themselves
   };
   const Counts& counts() const;

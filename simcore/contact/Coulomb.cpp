@@ -74,6 +74,8 @@ ConeLimits coneLimits(const LcpLimits& limits, const Eigen::Ref<const VecX>& d) 
     cones.newton = limits.turns > 0 ? 15 : 6;
     cones.convex = std::clamp(kStepRows / rows, 20, cones.convex);
   }
+  cones.newton = std::min(cones.newton, limits.stepsMost);
+  cones.convex = std::min(cones.convex, limits.stepsMost);
   return cones;
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/contact/Lcp.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "simcore/contact/ActiveSet.h"
 
 namespace glenoid {
 
@@ -33,62 +36,10 @@ bool solveActive(LcpWork& work, int count) {
 /// How far below zero a w may lie, in units of the scaled problem: round-off of its sum.
 double toleranceOf(const LcpWork& work, int n) { return 1e-12 * (1e-3 + work.d.head(n).cwiseAbs().maxCoeff()); }
 
-/// Primal active set for the same problem as the minimum of ½ λᵀWλ + dᵀλ over λ ≥ 0: every point on the way is
-/// feasible and lower than the last, so unlike pivoting it cannot cycle, however dependent the rows are. Rows that
-/// round-off makes dependent on those taken in are left out. Slower than pivoting: one row in or out at a time.
-/// From work.lambda ≥ 0. Source: Lawson and Hanson, "Solving Least Squares Problems", 1974, ch. 23 (NNLS).
-bool activeSet(LcpWork& work, int n, int most, int& steps) {
-  enum : char { kZero, kFree, kDependent };
-  const double tolerance = toleranceOf(work, n);
-  for (int i = 0; i < n; ++i) work.isActive[i] = work.lambda[i] > 0 ? kFree : kZero;
-  int newest = -1;
-  for (int step = 0; step < most; ++step, ++steps) {
-    int count = 0;
-    for (int i = 0; i < n; ++i)
-      if (work.isActive[i] == kFree) work.active[count++] = i;
-    if (!solveActive(work, count)) {
-      int weakest = newest;  // the row that came last made the others dependent; at the start, the least loaded
-      for (int j = 0; j < count && newest < 0; ++j)
-        if (weakest < 0 || work.lambda[work.active[j]] < work.lambda[weakest]) weakest = work.active[j];
-      if (weakest < 0) return false;
-      work.isActive[weakest] = kDependent;
-      work.lambda[weakest] = 0;
-      newest = -1;
-      continue;
-    }
-    double reach = 1;  // how far towards the answer on these rows before one of them would pull
-    for (int j = 0; j < count; ++j) {
-      const double from = work.lambda[work.active[j]], to = work.rhs[j];
-      if (to < 0) reach = std::min(reach, from / (from - to));
-    }
-    for (int j = 0; j < count; ++j) {
-      const int i = work.active[j];
-      const double to = work.rhs[j], at = work.lambda[i] + reach * (to - work.lambda[i]);
-      if (to < 0 && at <= 1e-15 * std::abs(to)) {
-        work.isActive[i] = i == newest ? kDependent : kZero;  // a row that leaves as it comes would come for ever
-        work.lambda[i] = 0;
-      } else {
-        work.lambda[i] = std::max(0.0, at);
-      }
-    }
-    if (reach < 1) continue;
-    work.w.head(n) = work.d.head(n);
-    for (int j = 0; j < count; ++j) work.w.head(n) += work.lambda[work.active[j]] * work.scaled.col(work.active[j]).head(n);
-    newest = -1;
-    bool leftOut = false;
-    for (int i = 0; i < n; ++i) {
-      if (work.isActive[i] == kDependent) leftOut = leftOut || work.w[i] < -tolerance;
-      if (work.isActive[i] == kZero && work.w[i] < -tolerance && (newest < 0 || work.w[i] < work.w[newest])) newest = i;
-    }
-    if (newest < 0) return !leftOut;
-    work.isActive[newest] = kFree;
-  }
-  return false;
-}
-
 /// Block principal pivoting from the active set of work.lambda. True: work.lambda is exact.
 bool pivot(LcpWork& work, int n, int most, int& pivots) {
   constexpr int kPatience = 4;  // whole-set exchanges that may fail to improve before single ones
+  constexpr int kSingly = 60;   // rows up to which single ones, a factorization each, are worth a try
   int best = n + 1, patience = kPatience;
   const double tolerance = toleranceOf(work, n);
   for (int i = 0; i < n; ++i) work.isActive[i] = work.lambda[i] > 0;
@@ -119,6 +70,8 @@ bool pivot(LcpWork& work, int n, int most, int& pivots) {
     if (patience >= 0) {
       for (int i = 0; i < n; ++i)
         if (isWrong(i)) work.isActive[i] = !work.isActive[i];
+    } else if (n > kSingly) {
+      return false;
     } else {
       work.isActive[last] = !work.isActive[last];  // Murty's rule: finite, if slow
     }
@@ -140,7 +93,7 @@ LcpReport solveLcp(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>
     const int room = n + n / 2 + 8;
     work.scaled.resize(room, room);
     work.factor.resize(room, room);
-    for (VecX* vector : {&work.d, &work.lambda, &work.w, &work.scale, &work.best, &work.rhs}) vector->resize(room);
+    for (VecX* vector : {&work.d, &work.lambda, &work.w, &work.scale, &work.best, &work.rhs, &work.cosine, &work.sine}) vector->resize(room);
     work.active.resize(room);
     work.isActive.resize(room);
   }
@@ -155,11 +108,11 @@ LcpReport solveLcp(const Eigen::Ref<const MatX>& W, const Eigen::Ref<const VecX>
   }
   for (; report.sweeps < limits.sweeps; ++report.sweeps) sweep(work.scaled, work.d, work.lambda, n);
   work.best.head(n) = work.lambda.head(n);
-  if (limits.pivots > 0) report.exact = pivot(work, n, limits.pivots, report.pivots);
+  if (limits.pivots > 0) report.exact = pivot(work, n, std::min(limits.pivots, limits.stepsMost), report.pivots);
   if (!report.exact && limits.pivots > 0) {
-    work.lambda.head(n) = work.best.head(n);
-    report.exact = activeSet(work, n, limits.activeSetSteps + 3 * n, report.pivots);
-    if (!report.exact)
+    report.exact = activeSet(work, n, toleranceOf(work, n), limits.activeSetSteps + 3 * n, report.rowSteps);
+    if (!report.exact) work.lambda.head(n) = work.best.head(n);
+    if (!report.exact && limits.sweepsLast)
       for (int i = 0; i < limits.lastSweeps; ++i, ++report.sweeps) sweep(work.scaled, work.d, work.lambda, n);
   }
   for (int i = 0; i < n; ++i) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/linear/ExpectedFill.h"
+
 namespace glenoid {
 
 namespace {
@@ -15,8 +17,8 @@ Mat3 storedBlock(const BlockMatrix& A, int slot) {
 
 }  // namespace
 
-void VelocitySystem::set(std::span<const VelocityIsland> islands, std::span<const ContactUnknowns> contacts,
-                         std::span<const double> compliance, const Eigen::Ref<const VecX>& d) {
+bool VelocitySystem::set(std::span<const VelocityIsland> islands, std::span<const ContactUnknowns> contacts,
+                         std::span<const double> compliance, const Eigen::Ref<const VecX>& d, double updatesMost) {
   m_islands = islands;
   m_contacts = contacts;
   m_compliance = compliance;
@@ -31,10 +33,11 @@ void VelocitySystem::set(std::span<const VelocityIsland> islands, std::span<cons
   for (VecX* vector : {&m_v, &m_momentum, &m_gradient, &m_dv, &m_product}) vector->resize(3 * m_blocks);
   if (m_local.size() < islands.size()) m_local.resize(islands.size());
   gatherTerms();
-  gatherAnswers();
   m_renewed = !patternHolds();
-  if (m_renewed) renewPattern();
+  if (m_renewed && !renewPattern(updatesMost)) return false;
+  gatherAnswers();
   mapEntries();
+  return true;
 }
 
 void VelocitySystem::gatherTerms() {
@@ -104,7 +107,8 @@ bool VelocitySystem::patternHolds() const {
   return true;
 }
 
-void VelocitySystem::renewPattern() {
+bool VelocitySystem::renewPattern(double updatesMost) {
+  constexpr int kBlocksUnasked = 300;  // even full that costs little
   std::vector<std::array<int, 2>> pairs;
   m_patterns.clear();
   for (std::size_t i = 0; i < m_islands.size(); ++i) {
@@ -116,12 +120,17 @@ void VelocitySystem::renewPattern() {
       for (std::size_t b = 0; b < a; ++b) pairs.push_back({m_terms[c][a].block, m_terms[c][b].block});
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  if (m_blocks > kBlocksUnasked && expectedUpdates(m_blocks, pairs) > updatesMost) {
+    m_patterns.clear();  // no pattern holds
+    return false;
+  }
   m_symbolic = std::make_shared<BlockSymbolic>(m_blocks, pairs);
   m_H = std::make_unique<BlockMatrix>(m_symbolic);
   m_factor = std::make_unique<BlockCholesky>(m_symbolic, m_portable);
   m_fromA.clear();
   for (std::size_t i = 0; i < m_islands.size(); ++i)
     for (const auto& [slot, row, col] : m_islands[i].A->symbolic().stored()) m_fromA.push_back(m_symbolic->entry(m_base[i] + row, m_base[i] + col));
+  return true;
 }
 
 void VelocitySystem::mapEntries() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -30,8 +31,12 @@ class VelocitySystem : public ContactSystem {
   explicit VelocitySystem(bool portable) : m_portable(portable) {}
 
   /// The problem of the calls that follow: w = J v + C λ + d, d without J v*; compliance: C of each contact's normal row.
-  void set(std::span<const VelocityIsland> islands, std::span<const ContactUnknowns> contacts, std::span<const double> compliance,
-           const Eigen::Ref<const VecX>& d);
+  /// False where contacts join blocks so that a factorization would cost more than `updatesMost` products of 3×3 blocks; then
+  /// nothing else may be called.
+  bool set(std::span<const VelocityIsland> islands, std::span<const ContactUnknowns> contacts, std::span<const double> compliance,
+           const Eigen::Ref<const VecX>& d, double updatesMost = std::numeric_limits<double>::infinity());
+  /// Products of 3×3 blocks in one factorization.
+  double updates() const { return static_cast<double>(m_symbolic->updateCount()); }
   /// A new symbolic factorization was needed.
   bool renewed() const { return m_renewed; }
 
@@ -58,7 +63,7 @@ class VelocitySystem : public ContactSystem {
   /// How much more an island answers at its rows, neighbours moving along, than blocks that stand alone would: the
   /// median of a few rows, at least 1 (a free rigid body: 1).
   double yieldOf(std::size_t island);
-  void renewPattern();
+  bool renewPattern(double updatesMost);
   bool patternHolds() const;
   void mapEntries();
   void speeds(const VecX& v, VecX& w) const;            ///< w ← J v

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "simcore/linear/ExpectedFill.h"
+
 namespace glenoid {
 namespace {
 
@@ -38,13 +40,13 @@ Graph makeGraph(int blockCount, std::span<const std::array<int, 2>> pairs) {
   return graph;
 }
 
-/// Approximate minimum degree; the order as given when AMD runs out of memory.
-std::vector<int> amdOrder(const Graph& graph, int blockCount) {
+/// Approximate minimum degree; the order as given when AMD runs out of memory. `info`: AMD_INFO numbers of AMD's, or null.
+std::vector<int> amdOrder(const Graph& graph, int blockCount, double* info = nullptr) {
   std::vector<int> order(blockCount);
   const int none = 0;  // AMD wants a pointer even for no entries
   const int status =
       amd_order(blockCount, graph.start.data(), graph.neighbours.empty() ? &none : graph.neighbours.data(),
-                order.data(), nullptr, nullptr);
+                order.data(), nullptr, info);
   if (status != AMD_OK)
     for (int i = 0; i < blockCount; ++i) order[i] = i;
   return order;
@@ -209,6 +211,12 @@ BlockEntry BlockSymbolic::entry(int row, int col) const {
   const int slot = static_cast<int>(found - m_rows.begin());
   if (!m_inA[slot]) return {};
   return {slot, transposed};
+}
+
+double expectedUpdates(int blockCount, std::span<const std::array<int, 2>> pairs) {
+  std::array<double, AMD_INFO> info{};
+  amdOrder(makeGraph(blockCount, pairs), blockCount, info.data());
+  return info[AMD_NMULTSUBS_LDL];
 }
 
 }  // namespace glenoid

@@ -18,6 +18,8 @@ enum class NoticeKind {
   MarkMissed,     ///< subject: a mark; other: its tool and part, as far as it names them; figure: Δt, s
   PathCut,        ///< subject: a tool; figure: how far the path of its hand in steps of Δt lies from the recorded one, limit: what counts
                   ///< as contact, m
+  Bounded,        ///< contacts of some steps cost more than a step may (step/ContactBudget.h); figure: of how many, limit: of all; time and
+                  ///< step: the first
   TimeUp,         ///< the run was stopped; subject, other: the two objects with most contacts, if any; figure: rows of all contacts,
                   ///< limit: what the run was given, s of the clock
 };

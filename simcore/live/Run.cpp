@@ -178,6 +178,7 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   report.notices = noticesBefore(*model, options.input, report.seconds);
   for (const Notice& notice : missedMarks(report)) report.notices.push_back(notice);
   if (watch) report.notices.insert(report.notices.end(), watch->notices().begin(), watch->notices().end());
+  if (const auto bounded = gather.bounded()) report.notices.push_back(*bounded);
   if (stopped) report.notices.push_back(*stopped);
   if (collision)
     for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);

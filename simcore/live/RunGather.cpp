@@ -22,6 +22,11 @@ void RunGather::add(const StepReport& step, double time, const VecX& v) {
   ++m_steps;
   if (!step.taken) ++m_rejected;
   if (step.parts > 1) ++m_cut;
+  if (step.deepOverlaps > 0) ++m_deep;
+  if (step.bounded.any()) {
+    if (!m_firstBounded) m_firstBounded = Notice{NoticeKind::Bounded, "", "", 0, 0, time + m_dt, m_steps, {}};
+    ++m_bounded;
+  }
   m_refusedHands += step.refusedHands;
   m_contacts += step.contacts;
   m_pressing += step.pressing;
@@ -66,12 +71,23 @@ void RunGather::addPaper(const PaperReport& paper, bool contact) {
   sum.divergedSteps += paper.diverged;
 }
 
+std::optional<Notice> RunGather::bounded() const {
+  std::optional<Notice> notice = m_firstBounded;
+  if (notice) {
+    notice->figure = static_cast<double>(m_bounded);
+    notice->limit = static_cast<double>(m_steps);
+  }
+  return notice;
+}
+
 void RunGather::finish(RunReport& report) {
   const double n = std::max<long>(m_steps, 1);
   report.steps = m_steps;
   report.seconds = static_cast<double>(m_steps) * m_dt;
   report.rejectedSteps = m_rejected;
   report.cutSteps = m_cut;
+  report.boundedSteps = m_bounded;
+  report.deepOverlapSteps = m_deep;
   report.refusedHands = m_refusedHands;
   report.pivotsExhausted = m_pivotsExhausted;
   report.contactSolver = m_contactSolver;

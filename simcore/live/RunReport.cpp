@@ -168,7 +168,7 @@ std::string toJson(const RunReport& r, const std::function<std::string(const Not
       {{"schemaVersion", 1}, {"scenario", r.scenario}, {"profile", r.profile}, {"solver", r.solver}, {"dt", r.dt}, {"steps", r.steps},
        {"seconds", r.seconds}, {"build", r.build}, {"isa", r.isa}, {"seed", r.seed}, {"threads", r.threads},
        {"realtime", r.realtime}, {"finite", r.finite}, {"diverged", r.diverged}, {"rejectedSteps", r.rejectedSteps},
-       {"cutSteps", r.cutSteps}, {"refusedHands", r.refusedHands},
+       {"cutSteps", r.cutSteps}, {"boundedSteps", r.boundedSteps}, {"deepOverlapSteps", r.deepOverlapSteps}, {"refusedHands", r.refusedHands},
        {"stepsPerSecond", r.stepsPerSecond}, {"stepsPerCpuSecond", r.stepsPerCpuSecond},
        {"residual", r.residual}, {"complementarity", r.complementarity},
        {"pivotsExhausted", r.pivotsExhausted},

@@ -130,6 +130,8 @@ struct RunReport {
   double dt = 0, seconds = 0;
   long steps = 0, rejectedSteps = 0;
   long cutSteps = 0;              ///< taken in parts, since the whole would have turned too far
+  long boundedSteps = 0;          ///< whose contacts would have cost more than a step may (StepBounded)
+  long deepOverlapSteps = 0;      ///< in which surfaces were parted along one way, so deep were they in each other
   long refusedHands = 0;          ///< inputs that were no pose of a hand
   unsigned seed = 1;
   int threads = 1;

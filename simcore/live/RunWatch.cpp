@@ -47,6 +47,7 @@ const char* noticeName(NoticeKind kind) {
     case NoticeKind::Pressed: return "pressed";
     case NoticeKind::MarkMissed: return "mark-missed";
     case NoticeKind::PathCut: return "path-cut";
+    case NoticeKind::Bounded: return "bounded";
     case NoticeKind::TimeUp: return "time-up";
   }
   return "";

@@ -4,6 +4,7 @@
 // answer violates them. That ends with every contact right, so it is exact, and its cost follows what touches.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "simcore/step/StepWork.h"
 
@@ -37,7 +38,7 @@ int chooseViolated(Stepper::Work& work, const ContactIsland& island) {
   int more = 0;
   for (const int c : island.contacts) {
     StepContact& contact = work.contacts[c];
-    if (contact.chosen || contact.speed >= 0) continue;
+    if (contact.chosen || contact.leftOut || contact.speed >= 0) continue;
     contact.chosen = true;
     ++more;
   }
@@ -80,8 +81,9 @@ bool inVelocities(const Stepper::Work& work, const ContactIsland& island, int n)
   return n > kRowsInImpulses || (n > kManyRows && 4 * n > unknowns) || (work.tangentialRows > 0 && n >= unknowns);
 }
 
-/// Solves with the sparse matrix of the island's own velocities; they and the impulses are the answer.
-LcpReport solveInVelocities(Stepper::Work& work, const ContactIsland& island, int n, const LcpLimits& limits) {
+/// Solves with the sparse matrix of the island's own velocities; they and the impulses are the answer. Nothing where contacts join
+/// so much that this would cost too much.
+std::optional<LcpReport> solveInVelocities(Stepper::Work& work, const ContactIsland& island, int n, LcpLimits limits) {
   const StageClock clock(work.report, work.tangentialRows ? Stage::Friction : Stage::Contact);
   std::vector<VelocityIsland>& parts = work.velocityIslands;
   parts.clear();
@@ -91,22 +93,31 @@ LcpReport solveInVelocities(Stepper::Work& work, const ContactIsland& island, in
   }
   work.compliances.clear();
   for (const int c : work.unknownContacts) work.compliances.push_back(work.contacts[c].compliance);
+  constexpr double kAsked = 5e5;  // products of blocks, for an ordering
   auto& system = work.velocitySystems[island.couplingIslands.front()];
   if (!system) system = std::make_unique<VelocitySystem>(work.options.portable);
-  system->set(parts, work.unknowns, work.compliances, work.d.head(n));
+  if (!system->set(parts, work.unknowns, work.compliances, work.d.head(n), work.budget.factorMost())) {
+    work.budget.spent += kAsked;
+    return std::nullopt;
+  }
+  limits.stepsMost = work.budget.steps(system->updates());
   const LcpReport solved = solveCones(*system, work.lambda.head(n), coneLimits(limits, work.d.head(n)), work.coulomb.cones);
   for (const int index : island.couplingIslands) {
     IslandWork& part = work.islands[index];
     part.lambda.clear();
     for (const int id : part.chosenIds) part.lambda.push_back(work.lambda[id]);
   }
+  constexpr double kSymbolic = 4;  // factorizations
+  work.budget.spent += (solved.pivots + (system->renewed() ? kSymbolic : 0)) * system->updates();
   return solved;
 }
 
-LcpReport solveInImpulses(Stepper::Work& work, const ContactIsland& island, int n, const LcpLimits& limits) {
+LcpReport solveInImpulses(Stepper::Work& work, const ContactIsland& island, int n, LcpLimits limits) {
+  limits.stepsMost = work.budget.steps(ContactBudget::dense(n));
   buildDelassus(work, island, n);
   const StageClock clock(work.report, work.tangentialRows ? Stage::Friction : Stage::Contact);
   const LcpReport solved = solveChosen(work, n, limits);
+  work.budget.spent += (1 + solved.pivots) * ContactBudget::dense(n) + solved.rowSteps * static_cast<double>(n) * n / 27;
   for (const int index : island.couplingIslands) {
     IslandWork& part = work.islands[index];
     part.lambda.clear();
@@ -130,13 +141,17 @@ void countSolve(StepReport& report, bool velocities, bool tangential, int n, int
 
 void solveContactIsland(Stepper::Work& work, const State& state, const ContactIsland& island) {
   StepReport& report = work.report;
-  for (const int c : island.contacts) work.contacts[c].chosen = work.contacts[c].impulse > 0;
+  for (const int c : island.contacts) {
+    work.contacts[c].chosen = work.contacts[c].impulse > 0;
+    work.contacts[c].leftOut = false;
+  }
   {
     const StageClock clock(report, Stage::Contact);
     normalSpeeds(work, island);
     chooseViolated(work, island);
   }
   int newton = 0;
+  bool cycles = false;    // W did not do on some of the rows, and will not on more
   bool thorough = false;  // what is not settled is worth the convex law once it is known which contacts take part
   for (int round = 0;; ++round) {
     const int n = chooseRows(work, state, island);
@@ -150,8 +165,28 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
       limits.tolerance = kFeelable * felt;
       limits.enough = kFeelableAtMost * felt;
     }
-    const bool velocities = inVelocities(work, island, n), tangential = work.tangentialRows > 0;
-    const LcpReport solved = velocities ? solveInVelocities(work, island, n, limits) : solveInImpulses(work, island, n, limits);
+    const bool tangential = work.tangentialRows > 0;
+    bool velocities = cycles || inVelocities(work, island, n);
+    limits.sweepsLast = work.options.profile != Profile::Direct || n > ContactBudget::kRowsMost;
+    LcpReport solved;
+    if (velocities) {
+      const std::optional<LcpReport> answer = solveInVelocities(work, island, n, limits);
+      if (!answer && n > ContactBudget::kRowsMost) {
+        keepDeepest(work, island, ContactBudget::kRowsMost);
+        continue;
+      }
+      velocities = answer.has_value();
+      solved = answer ? *answer : solveInImpulses(work, island, n, limits);
+    } else {
+      solved = solveInImpulses(work, island, n, limits);
+      if (!solved.exact && !limits.sweepsLast && !tangential) {
+        // Rows that round-off makes dependent do no harm in velocities.
+        if (const std::optional<LcpReport> answer = solveInVelocities(work, island, n, limits)) {
+          cycles = velocities = true;
+          solved = *answer;
+        }
+      }
+    }
     if (tangential || velocities) newton += solved.pivots;
     const StageClock clock(report, tangential ? Stage::Friction : Stage::Contact);
     takeImpulses(work);
@@ -160,12 +195,17 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     constexpr int kRounds = 6;
     int more = chooseViolated(work, island);
     if (more > 0 && round >= kRounds)
-      for (const int c : island.contacts) more += !std::exchange(work.contacts[c].chosen, true);
+      for (const int c : island.contacts)
+        if (!work.contacts[c].leftOut) more += !std::exchange(work.contacts[c].chosen, true);
+    if (more > 0 && !work.budget.left()) {
+      ++report.bounded.rounds;
+      more = 0;
+    }
     if (more > 0) {
       thorough = thorough && n > kManyRows;
       continue;
     }
-    if (!solved.exact && (tangential || velocities) && !std::exchange(thorough, true)) continue;
+    if (work.budget.left() && !solved.exact && (tangential || velocities) && !std::exchange(thorough, true)) continue;
     countSolve(report, velocities, tangential, n, newton, solved);
     return;
   }

@@ -16,6 +16,7 @@
 #include "simcore/linear/ConjugateGradients.h"
 #include "simcore/linear/RowPanels.h"
 #include "simcore/step/Actions.h"
+#include "simcore/step/ContactBudget.h"
 #include "simcore/step/IslandViews.h"
 #include "simcore/step/StepModel.h"
 #include "simcore/step/Stepper.h"
@@ -69,6 +70,7 @@ struct StepContact {
   double impulse = 0;                    ///< along the normal, N·s: last step's, then this one's
   Vec3 friction_W = Vec3::Zero();        ///< tangential impulse on a, N·s, likewise
   bool chosen = false;                   ///< an unknown of the problem
+  bool leftOut = false;                  ///< for the bound on a step's time, and not to be taken in again
   int unknown = -1;                      ///< its place in Work::unknowns
 };
 
@@ -111,6 +113,7 @@ struct Stepper::Work {
   PaperSettings additions;            ///< all of them in every profile but `paper`
   double recoverySpeedMax = 0;        ///< of c, m/s; infinite where c is not cut
   StepReport report;
+  ContactBudget budget;
   std::unique_ptr<IslandViews> views; ///< null: nobody watches islands
   std::vector<IslandWork> islands;
   std::vector<Pose> wanted;           ///< hand of each tool at the end of the step
@@ -165,6 +168,8 @@ struct Stepper::Work {
 
   /// The first search of a step.
   void findProximities(const State& state);
+  /// What the last search cost, into the budget.
+  void countSearch();
   /// Whether the solve moves some surface further from what the search foresaw than its slack, half the contact
   /// distance; if so the search is made again with that motion too. What it finds is then complete.
   bool searchAgain(const State& state);
@@ -211,6 +216,8 @@ bool appendContactRow(Stepper::Work& work, const State& state, int c, const Vec3
 void solveConstrained(Stepper::Work& work, const State& state);
 /// Lays out the unknowns of the chosen contacts: their rows in each coupling island, −c in d, last impulses in λ.
 int chooseRows(Stepper::Work& work, const State& state, const ContactIsland& island);
+/// Of the chosen contacts of an island the deepest of each pair stay, up to so many rows.
+void keepDeepest(Stepper::Work& work, const ContactIsland& island, int rowsMost);
 /// Room for n rows of W.
 void sizeDelassus(Stepper::Work& work, int n);
 /// C of the chosen contacts onto W's diagonal.

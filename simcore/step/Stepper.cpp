@@ -60,6 +60,7 @@ Stepper::Stepper(std::shared_ptr<const Model> model, const StepperOptions& optio
   work.recoverySpeedMax = work.additions.recoveryCap ? work.model->scenario.recoverySpeedMax : std::numeric_limits<double>::infinity();
   for (const CouplingIslandModel& island : work.inside->islands) {
     IslandWork& scratch = work.islands.emplace_back(island);
+    work.budget.own += static_cast<double>(island.symbolic->updateCount());
     if (options.profile == Profile::Direct) scratch.response = makeCholeskyResponse(island.symbolic, options.portable);
     if (options.profile == Profile::Reference) scratch.response = makeReferenceResponse(island.symbolic);
     if (options.profile == Profile::Paper && work.inside->contact) makeSplittings(island, *work.inside, options.portable, scratch);
@@ -136,6 +137,15 @@ void Stepper::Work::findProximities(const State& state) {
   for (std::size_t f = 0; f < films.size(); ++f) films[f] = &filmSearches[f].find(positionSpans);
 }
 
+void Stepper::Work::countSearch() {
+  // Products of blocks that take about as long.
+  constexpr double kPair = 4, kTest = 10, kDepth = 200;
+  const ProximityFinder::Counts& counts = finder->counts();
+  budget.spent += kPair * static_cast<double>(counts.trianglePairs) + kTest * static_cast<double>(counts.vertexFace + counts.edgeEdge) +
+                  kDepth * static_cast<double>(counts.depthQueries);
+  report.deepOverlaps = static_cast<int>(counts.deepOverlaps);
+}
+
 bool Stepper::Work::searchAgain(const State& state) {
   if (motionCount == ProximityFinder::kMotionsMost) return false;
   Surfaces& now = velocities[motionCount];
@@ -160,6 +170,10 @@ bool Stepper::Work::searchAgain(const State& state) {
     drivenSurfaces(*this, motionCount);
   }
   if (!outran) return false;
+  if (!budget.left()) {
+    ++report.bounded.searches;
+    return false;
+  }
   ++motionCount;
   std::array<ProximityFinder::Motion, ProximityFinder::kMotionsMost> motions;
   for (int motion = 0; motion < motionCount; ++motion) motions[motion] = velocitySpans[motion];
@@ -168,6 +182,7 @@ bool Stepper::Work::searchAgain(const State& state) {
   proximities = &finder->findAlong(positionSpans, used, model->scenario.contactDistance, settings.dt, lastNormals);
   report.cpuMs[static_cast<int>(Stage::SelfContact)] += finder->counts().selfMs;
   report.cpuMs[static_cast<int>(Stage::Collide)] -= finder->counts().selfMs;
+  countSearch();
   return true;
 }
 
@@ -238,6 +253,7 @@ bool solveStep(Stepper::Work& work, const State& state) {
       work.worker->wait();
     else
       work.findProximities(state);
+    work.countSearch();
     for (const Stage stage : {Stage::Surfaces, Stage::Collide, Stage::SelfContact, Stage::Bursa}) {
       work.report.cpuMs[static_cast<int>(stage)] += work.collideReport.cpuMs[static_cast<int>(stage)];
       work.workerMs += work.collideReport.cpuMs[static_cast<int>(stage)];
@@ -268,6 +284,9 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   report.refusedHands = report.contacts = report.active = report.pressing = report.filmContacts = report.contactIslands = report.droppedRows = report.pivotsExhausted = 0;
   report.residual = report.complementarity = 0;
   report.contactSolver = {};
+  report.bounded = {};
+  report.deepOverlaps = 0;
+  work.budget.spent = 0;
   report.cpuMs.fill(0);
   work.workerMs = 0;
   report.paper = {};
@@ -282,7 +301,11 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   placeDriven(*work.model, *work.inside, work.partBegin, state.q);
   const double dt = work.settings.dt;
   bool good = solveStep(work, state);
-  if (good && work.additions.parts) report.parts = partsOf(work, state);
+  if (good && work.additions.parts) {
+    const int wanted = partsOf(work, state);
+    report.parts = work.budget.parts(wanted);
+    report.bounded.parts = wanted - report.parts;
+  }
   work.settings.dt = dt / report.parts;
   for (int left = report.parts; good && left > 0; --left) {
     if (report.parts > 1) {  // the trial over the whole step is thrown away
@@ -296,6 +319,7 @@ const StepReport& Stepper::step(const Inputs& inputs, State& state) {
   work.settings.dt = dt;
   if (!good) rejectStep(state);
   report.taken = good;
+  report.contactWork = work.budget.spent;
   ++state.step;
   state.time = static_cast<double>(state.step) * work.settings.dt;
   report.stepCpuMs = StageClock::nowMs() - cpuBegin;

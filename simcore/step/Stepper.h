@@ -63,6 +63,15 @@ struct ContactSolverCounts {
   int rowsMax = 0;     ///< most rows of an island
 };
 
+/// What a step left undone so that its time has a bound (ContactBudget.h, README.md); all zero while a scene is well.
+struct StepBounded {
+  int rows = 0;      ///< contacts that no problem took in, of more than it can hold: the deepest of each pair stay
+  int rounds = 0;    ///< problems that ended while contacts were violated
+  int searches = 0;  ///< not made again, although something moved further than was foreseen
+  int parts = 0;     ///< fewer than the step should have been cut into
+  bool any() const { return rows > 0 || rounds > 0 || searches > 0 || parts > 0; }
+};
+
 /// What one step did. Valid until the next step of the same Stepper.
 struct StepReport {
   bool taken = true;              ///< false: not finite, the last good state stayed
@@ -76,6 +85,9 @@ struct StepReport {
   int droppedRows = 0;            ///< contacts that nothing can move
   int pivotsExhausted = 0;        ///< contact islands whose answer is not right to the tolerance
   ContactSolverCounts contactSolver;
+  int deepOverlaps = 0;           ///< places where surfaces lay so deep in each other that they were parted along one way
+  StepBounded bounded;
+  double contactWork = 0;         ///< what contacts cost, in products of 3×3 blocks
   double residual = 0;            ///< ‖Av − b − Jᵀλ‖/‖b‖ over all islands
   double complementarity = 0;     ///< worst distance of an impulse from its own projection, m/s
   std::array<double, kStageCount> cpuMs{};  ///< thread CPU time

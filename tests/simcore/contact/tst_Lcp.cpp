@@ -95,6 +95,43 @@ TEST(Lcp, moreContactsThanDirectionsStayFiniteAndFeasible) {
   }
 }
 
+TEST(Lcp, hundredsOfRowsOnFewDirectionsAreExact) {
+  LcpWork work;
+  for (const int rank : {6, 30, 90})
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      const Problem problem = randomProblem(300, rank, seed);
+      VecX lambda = VecX::Zero(300);
+      const LcpReport report = solveLcp(problem.W, problem.d, lambda, {}, work);
+      EXPECT_TRUE(report.exact) << rank << ", " << seed;
+      expectComplementary(problem, lambda, 1e-6);
+      EXPECT_LE((lambda.array() > 0).count(), rank) << "no more rows carry than there are directions";
+      EXPECT_LT(report.rowSteps, 6 * rank) << "what carries is taken in one by one, not all that might";
+    }
+}
+
+TEST(Lcp, oneMotionThatManyRowsAskForIsFoundAtOnce) {
+  // A body pushed along one way by 200 rows at its mass centre, which ask for different speeds: the greatest is met.
+  LcpWork work;
+  const MatX W = MatX::Constant(200, 200, 2.0);
+  VecX d(200), lambda = VecX::Zero(200);
+  for (int i = 0; i < 200; ++i) d[i] = -0.1 - 1e-4 * ((37 * i) % 200);
+  const LcpReport report = solveLcp(W, d, lambda, {}, work);
+  EXPECT_TRUE(report.exact);
+  EXPECT_NEAR(2 * lambda.sum(), 0.1 + 1e-4 * 199, 1e-9);
+}
+
+TEST(Lcp, fewStepsAreKeptTo) {
+  const Problem problem = randomProblem(300, 30, 3);
+  LcpWork work;
+  VecX lambda = VecX::Zero(300);
+  LcpLimits limits;
+  limits.stepsMost = 4;
+  const LcpReport report = solveLcp(problem.W, problem.d, lambda, limits, work);
+  EXPECT_LE(report.pivots, 4);
+  EXPECT_TRUE(lambda.allFinite());
+  EXPECT_GE(lambda.minCoeff(), 0);
+}
+
 TEST(Lcp, warmStartDoesNotChangeTheAnswer) {
   LcpWork work;
   const Problem problem = randomProblem(25, 60, 11);
