@@ -12,7 +12,7 @@ bool SceneRenderer::Inside::pickInto(const View& view, const VecX& q, const Laye
                                      const Target& target, int x0, int y0, int width, int height) {
   if (!fits(q) || !pickTarget.resize(width, height)) return false;
   updateBoxes(q);
-  evaluator.evaluate(q, shownDents(layers.dents));
+  evaluate(q, layers.dents, visuallyShown(layers));
   const Eye eye = eyeFor(view, layers, static_cast<double>(target.width) / target.height);
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);

@@ -67,6 +67,9 @@ Result<Done> SceneRenderer::setScene(const Model& model) {
   if (auto set = in.evaluator.setScene(*geometry); !set) return set;
   in.scene = std::move(*geometry);
   in.side = model.joint.side;
+  in.underSkin = UnderSkin(model);
+  in.shiftedQ.resize(0);
+  in.shifts.clear();
   in.boxedQ.resize(0);
   in.boxes.clear();
   in.presence.clear();
@@ -197,7 +200,7 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   if (fits && layers.labels) labels = in.labelsFor(view, q, layers, target);
   if (fits) {
     in.updateBoxes(q);
-    in.evaluator.evaluate(q, in.shownDents(layers.dents));
+    in.evaluate(q, layers.dents, in.visuallyShown(layers));
   }
   const Eye eye = in.eyeFor(view, layers, static_cast<double>(target.width) / target.height);
 
@@ -299,13 +302,43 @@ std::vector<ShownDent> SceneRenderer::Inside::shownDents(std::vector<DentView> d
   return shown;
 }
 
+std::vector<char> SceneRenderer::Inside::visuallyShown(const Layers& layers) const {
+  std::vector<char> shown(scene.objects.size(), 0);
+  for (const Shown& s : shownSurfaces(layers))
+    if (s.kind == SurfaceKind::Visual) shown[s.object] = 1;
+  return shown;
+}
+
+void SceneRenderer::Inside::updateShifts(const VecX& q, std::span<const DentView> dents, std::vector<char> shown) {
+  if (underSkin.empty()) return;
+  if (shiftedQ.size() == q.size() && shiftedQ == q && std::ranges::equal(shiftedDents, dents) && shiftedShown == shown) return;
+  shiftedQ = q;
+  shiftedDents.assign(dents.begin(), dents.end());
+  shiftedShown = std::move(shown);
+  underSkin.look(q, dents, shiftedShown);
+  shifts.clear();
+  for (int i = 0; i < static_cast<int>(scene.objects.size()); ++i) {
+    const std::span<const Vec3> those = underSkin.shifts(i);
+    if (those.empty()) continue;
+    shifts.resize(3 * scene.vertices.size(), 0.0f);
+    const Range range = scene.objects[i].visual.vertices;
+    for (int v = range.first; v < range.first + range.count; ++v)
+      for (int k = 0; k < 3; ++k) shifts[3 * static_cast<std::size_t>(v) + k] = static_cast<float>(those[scene.source[v]][k]);
+  }
+}
+
+void SceneRenderer::Inside::evaluate(const VecX& q, std::span<const DentView> dents, std::vector<char> shown) {
+  updateShifts(q, dents, std::move(shown));
+  evaluator.evaluate(q, shownDents({dents.begin(), dents.end()}), shifts);
+}
+
 SceneRenderer::Evaluated SceneRenderer::evaluated(int object, SurfaceKind kind, const VecX& q, std::span<const DentView> dents) {
   Inside& in = *m_inside;
   Evaluated out;
   if (!in.fits(q) || object < 0 || object >= static_cast<int>(in.scene.objects.size())) return out;
   const SurfaceRanges& surface = in.scene.objects[object].surface(kind);
   if (!surface.present) return out;
-  in.evaluator.evaluate(q, in.shownDents({dents.begin(), dents.end()}));
+  in.evaluate(q, dents);
   const auto positions = in.evaluator.readPositions(surface.vertices),
              normals = in.evaluator.readNormals(surface.vertices);
   out.positions_W.resize(surface.meshVertices);

@@ -13,6 +13,7 @@
 #include "editor/render/SceneGeometry.h"
 #include "editor/render/SceneRenderer.h"
 #include "editor/render/StateEvaluator.h"
+#include "simcore/reading/UnderSkin.h"
 
 /// What SceneRenderer's files share; private to this folder.
 namespace glenoid {
@@ -50,6 +51,11 @@ struct SceneRenderer::Inside {
 
   SceneGeometry scene;
   JointSide side = JointSide::Unsaid;  ///< of the joint, for the marker
+  UnderSkin underSkin;
+  VecX shiftedQ;                       ///< state, dents and shown objects for which shifts hold
+  std::vector<DentView> shiftedDents;
+  std::vector<char> shiftedShown;
+  std::vector<float> shifts;           ///< by vertex of the scene, as the evaluator takes them
   VecX boxedQ;              ///< q for which boxes hold
   std::vector<Box3> boxes;  ///< by object, W, all its surfaces
 
@@ -66,6 +72,11 @@ struct SceneRenderer::Inside {
   void updateBoxes(const VecX& q);
   /// The deepest dents, as the evaluator takes them.
   std::vector<ShownDent> shownDents(std::vector<DentView> dents) const;
+  /// Positions of all vertices; what a shown skin covers stays beneath it. `shown`: by object; empty: all.
+  void evaluate(const VecX& q, std::span<const DentView> dents, std::vector<char> shown = {});
+  /// By object: whether its visual surface is drawn.
+  std::vector<char> visuallyShown(const Layers& layers) const;
+  void updateShifts(const VecX& q, std::span<const DentView> dents, std::vector<char> shown);
   Eye eyeFor(const View& view, const Layers& layers, double aspect) const;
   std::vector<Shown> shownSurfaces(const Layers& layers) const;
 

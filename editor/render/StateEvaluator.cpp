@@ -70,6 +70,7 @@ Result<Done> StateEvaluator::setScene(const SceneGeometry& geometry) {
   m_vertexCount = static_cast<int>(geometry.vertices.size());
   m_sent.clear();
   m_field.reset();
+  sendShifts({});
   glBindVertexArray(m_surfaces.id());
   glDisableVertexAttribArray(5);  // values of the scene before
   upload(m_entities, GL_ARRAY_BUFFER, geometry.vertices);
@@ -130,13 +131,29 @@ void StateEvaluator::setField(const std::vector<float>& values) {
   glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-void StateEvaluator::evaluate(const VecX& q, const std::vector<ShownDent>& dents) {
+void StateEvaluator::sendShifts(const std::vector<float>& shifts) {
+  m_shifts = shifts;
+  glBindVertexArray(m_entityArray.id());
+  if (shifts.empty()) {
+    glDisableVertexAttribArray(2);
+  } else {
+    glBindBuffer(GL_ARRAY_BUFFER, m_shift.id());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shifts.size() * sizeof(float)), shifts.data(), GL_STREAM_DRAW);
+    glEnableVertexAttribArray(2);
+    glVertexAttribPointer(2, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  }
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void StateEvaluator::evaluate(const VecX& q, const std::vector<ShownDent>& dents, const std::vector<float>& shifts) {
   if (m_vertexCount == 0) return;
   m_new.resize(q.size());
   for (Eigen::Index i = 0; i < q.size(); ++i) m_new[i] = static_cast<float>(q[i]);
-  if (m_new == m_sent && dents == m_dents) return;
+  if (m_new == m_sent && dents == m_dents && shifts == m_shifts) return;
   m_sent.swap(m_new);
   m_dents = dents;
+  if (shifts != m_shifts) sendShifts(shifts);
   m_positionPass.use();
   const std::size_t count = std::min(dents.size(), kDentsMost);
   m_positionPass.set("dentCount", static_cast<int>(count));

@@ -33,8 +33,9 @@ class StateEvaluator {
   /// Value by vertex of the scene, as surface.vert's attribute 5. Takes no memory before the first call.
   void setField(const std::vector<float>& values);
 
-  /// Sends q and evaluates; nothing is done when q and dents are what they were. Takes the first kDentsMost.
-  void evaluate(const VecX& q, const std::vector<ShownDent>& dents = {});
+  /// Sends q and evaluates; nothing is done when all is what it was. Takes the first kDentsMost dents. `shifts`: what vertices
+  /// are shifted by after all else, W, m, three numbers by vertex of the scene; empty: none.
+  void evaluate(const VecX& q, const std::vector<ShownDent>& dents = {}, const std::vector<float>& shifts = {});
   static constexpr std::size_t kDentsMost = 4;
 
   /// Vertex array with positions, normals and the scene's indices, as surface.vert reads them.
@@ -48,9 +49,10 @@ class StateEvaluator {
 
  private:
   std::vector<Eigen::Vector4f> read(GlBuffer& buffer, Range range);
+  void sendShifts(const std::vector<float>& shifts);
 
   Program m_positionPass, m_normalPass;
-  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals, m_openness, m_field;
+  GlBuffer m_entities, m_rings, m_tissue, m_indices, m_neighbours, m_q, m_positions, m_normals, m_openness, m_field, m_shift;
   GlFramebuffer
       m_frame;  ///< a draw needs a complete one, even when nothing is rasterised; a headless context has none
   GlRenderbuffer m_pixel;
@@ -58,6 +60,7 @@ class StateEvaluator {
   GlVertexArray m_entityArray, m_ringArray, m_surfaces, m_points;
   std::vector<float> m_sent, m_new;  ///< q as last sent, and as it comes
   std::vector<ShownDent> m_dents;     ///< as last evaluated
+  std::vector<float> m_shifts;        ///< as last evaluated
   int m_vertexCount = 0;
 };
 

@@ -4,6 +4,7 @@
 // Soft: p = sum of w_i q_i, node = offset of each node's x in q.
 layout(location = 0) in ivec4 node;
 layout(location = 1) in vec4 weight;
+layout(location = 2) in vec3 shift;  // W, m; zero where none are sent
 uniform samplerBuffer q;
 // Dents: the vertices [range.x, range.y) of a visual surface sink by `way`, less with the distance r from `place` as
 // exp(-r²/(2 place.w²)).
@@ -35,4 +36,5 @@ void main() {
     }
     position = vec4(p, 1.0);
   }
+  position.xyz += shift;
 }

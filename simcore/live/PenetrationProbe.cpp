@@ -45,6 +45,7 @@ PenetrationCheck makeCheck(const Model& model, SurfaceKind kind) {
 
 PenetrationProbe::PenetrationProbe(const Model& model, SurfaceKind kind)
     : m_model(model), m_kind(kind), m_check(makeCheck(model, kind)) {
+  if (kind == SurfaceKind::Visual) m_underSkin = UnderSkin(model);
   for (const SceneObject& object : model.objects) m_positions.emplace_back(surfaceOf(object, kind).vertices.size());
   for (const auto& positions : m_positions) m_spans.emplace_back(positions);
 }
@@ -62,6 +63,12 @@ void PenetrationProbe::look(const VecX& q, std::span<const DentView> dents, doub
   for (std::size_t i = 0; i < m_positions.size(); ++i) {
     const SceneObject& object = m_model.objects[i];
     surfacePositions(surfaceOf(object, m_kind), object.layout, q, m_positions[i]);
+  }
+  if (!m_underSkin.empty()) {
+    m_underSkin.look(q, dents);
+    for (std::size_t i = 0; i < m_positions.size(); ++i)
+      if (const std::span<const Vec3> shifts = m_underSkin.shifts(static_cast<int>(i)); !shifts.empty())
+        for (std::size_t v = 0; v < shifts.size(); ++v) m_positions[i][v] += shifts[v];
   }
   m_allowed.assign(m_model.collisionPairs.size(), 0.0);
   for (const DentView& dent : dents)

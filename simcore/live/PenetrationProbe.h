@@ -7,6 +7,7 @@
 
 #include "simcore/collide/Penetration.h"
 #include "simcore/live/Notice.h"
+#include "simcore/reading/UnderSkin.h"
 #include "simcore/scene/Part.h"
 #include "simcore/step/Stepper.h"
 
@@ -14,8 +15,8 @@ namespace glenoid {
 
 /// Measures how deep surfaces of a running model lie in each other, over all pairs that may collide, by the check
 /// of collide/Penetration that shares nothing with the contact detector. Collision surfaces leave out what the
-/// model's pairs leave out (coupled and perforated triangles); visual surfaces what lies nearest to that. Keeps the
-/// deepest of all looks. The model must outlive it.
+/// model's pairs leave out (coupled and perforated triangles); visual surfaces what lies nearest to that. These are as they are
+/// shown, what a skin covers beneath it (reading/UnderSkin). Keeps the deepest of all looks. The model must outlive it.
 class PenetrationProbe {
  public:
   PenetrationProbe(const Model& model, SurfaceKind kind);
@@ -45,6 +46,7 @@ class PenetrationProbe {
   std::vector<std::vector<Vec3>> m_positions;
   std::vector<std::span<const Vec3>> m_spans;
   PenetrationCheck m_check;
+  UnderSkin m_underSkin;          ///< visual surfaces only
   std::vector<double> m_allowed;  ///< by pair, m
   std::vector<double> m_limits;   ///< by pair, m; empty: none
   std::vector<Penetration> m_found;

@@ -35,6 +35,7 @@ struct DentView {
   Vec3 normal_W = Vec3::UnitY(); ///< unit, out of the part
   double depth = 0;              ///< m, > 0
   double radius = 0;             ///< m
+  bool operator==(const DentView&) const = default;
 };
 
 /// The stages whose time is taken.

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "resources/generate/capsule/Underneath.h"
 #include "simcore/scene/Joint.h"
 
 namespace glenoid::generate {
@@ -13,6 +14,9 @@ namespace {
 
 constexpr int kAround = 72, kAlong = 14;             ///< cells of the capsule's visual sheets
 constexpr int kCoarseAround = 18, kCoarseAlong = 4;  ///< of its collision sheets
+
+constexpr double kUnderTendon = 0.2;                 ///< mm from a tendon to the wall's inner side
+constexpr double kOffHead = 0.1;                     ///< mm, least, from there to the head
 
 double eased(double x) {
   x = std::clamp(x, 0.0, 1.0);
@@ -99,9 +103,10 @@ double Band::thicknessAt(double aside) const {
   return thickness + (border - thickness) * eased((std::abs(aside) - 0.45) / 0.25);
 }
 
-CapsuleShapes::CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside)
+CapsuleShapes::CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside, Field over)
     : m_bones(bones),
       m_tendon(fieldOf(inside.back())),
+      m_over(std::move(over)),
       m_superior(slender(bones, {-1, 15.5, -27}, {21, 9.8, 0}, 0.040, 1.6)),
       m_middle(slender(bones, {0.5, 8.5, -30}, {23.3, 1, -4.6}, 0.036, 1.8, 1.25)),
       m_inferior(hammock(bones)),
@@ -117,16 +122,19 @@ CapsuleShapes::CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& ins
 
 TriMesh CapsuleShapes::wall(int around, int along) const {
   const auto sheet = [&](double offset) {
-    std::vector<Vec3> points;
+    Sheet made{{}, {}, around, true};
     for (int j = 0; j <= along; ++j)
       for (int i = 0; i < around; ++i) {
         const SleevePlace place{double(i) / around, double(j) / along};
         const double thin = 0.55 + 0.45 * eased(std::min(place.way, 1 - place.way) / 0.1);
-        points.push_back(m_sleeve.at(place) + thin * offset * m_sleeve.outward(place));
+        made.out.push_back(m_sleeve.outward(place));
+        made.points.push_back(m_sleeve.at(place) + thin * offset * made.out.back());
       }
-    return points;
+    return made;
   };
-  return slab(sheet(-kCapsuleThickness / 2), sheet(kCapsuleThickness / 2), around, true);
+  Sheet inner = sheet(-kCapsuleThickness / 2);
+  moveUnder(inner, m_over, m_bones.humerusShape, kUnderTendon, kOffHead);
+  return slab(inner.points, sheet(kCapsuleThickness / 2).points, around, true);
 }
 
 /// A coarse sheet on the inner side, drawn off what it may touch, and another so much farther out.
@@ -154,7 +162,8 @@ Surfaces CapsuleShapes::capsule() const {
 }
 
 TriMesh CapsuleShapes::bandMesh(const Band& band) const {
-  std::vector<Vec3> inner, outer;
+  Sheet inner{{}, {}, band.across + 1, false};
+  std::vector<Vec3> outer;
   for (int j = 0; j <= band.along; ++j)
     for (int i = 0; i <= band.across; ++i) {
       const double way = double(j) / band.along, aside = 2.0 * i / band.across - 1;
@@ -165,10 +174,13 @@ TriMesh CapsuleShapes::bandMesh(const Band& band) const {
       const double base = -fromEnd * kCapsuleThickness / 2,
                    half = 0.5 * band.thicknessAt(aside) * (0.6 + 0.4 * fromEnd) * rounded;
       const Vec3 at = m_sleeve.at(place), out = m_sleeve.outward(place);
-      inner.push_back(at + (base - half) * out);
+      inner.points.push_back(at + (base - half) * out);
+      inner.out.push_back(out);
       outer.push_back(at + (base + half) * out);
     }
-  return slab(inner, outer, band.across + 1, false);
+  // Where a tendon has moved the wall under itself, the ligament lies before that.
+  moveUnder(inner, m_over, m_bones.humerusShape, 2 * kUnderTendon, kOffHead);
+  return slab(inner.points, outer, band.across + 1, false);
 }
 
 Surfaces CapsuleShapes::surfacesOf(const Band& band) const {

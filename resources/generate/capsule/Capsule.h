@@ -36,8 +36,9 @@ struct TendonOver {
 /// What the joint is lined with.
 class CapsuleShapes {
  public:
-  /// `inside`: what lies in the joint besides the head: labrum, biceps anchor and, last, the biceps tendon.
-  CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside);
+  /// `inside`: what lies in the joint besides the head: labrum, biceps anchor and, last, the biceps tendon. `over`: the tendons
+  /// that lie over it, none of which is seen from inside.
+  CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside, Field over);
 
   Surfaces capsule() const;
   Surfaces superior() const { return surfacesOf(m_superior); }
@@ -59,7 +60,7 @@ class CapsuleShapes {
                  bool closed, double clearance) const;
 
   const Bones& m_bones;
-  Field m_tendon;
+  Field m_tendon, m_over;
   Band m_superior, m_middle, m_inferior;
   Sleeve m_sleeve;
 };

@@ -127,7 +127,9 @@ JointRecipe capsuleRecipe() {
   std::vector<TriMesh> inside;
   for (const char* id : {"labrum", "labrum-tendon", "biceps-tendon"})
     inside.push_back(inMillimetres(visualOf(recipe, id)));
-  const CapsuleShapes shapes(bones, inside);
+  Field over = field("supraspinatus");
+  for (const char* id : {"infraspinatus", "subscapularis", "teres-minor", "coracohumeral-ligament"}) over = unionOf(over, field(id));
+  const CapsuleShapes shapes(bones, inside, over);
   const Surfaces wall = shapes.capsule();
   PartRecipe capsule =
       softPart("capsule", "Capsule of the shoulder joint", 13, 600, {0.86f, 0.78f, 0.72f}, wall, "capsule");

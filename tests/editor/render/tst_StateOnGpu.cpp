@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/body/SurfaceBinding.h"
+#include "simcore/reading/UnderSkin.h"
+#include "simcore/scene/JointFile.h"
+#include "simcore/scene/ScenarioFile.h"
 #include "tests/editor/render/PictureCheck.h"
 #include "tests/editor/render/TestScene.h"
 
@@ -86,6 +90,34 @@ TEST_F(StateOnGpu, aDentSinksTheSurfaceRoundItsPlaceAndGoes) {
   }
   EXPECT_EQ(m_renderer->evaluated(soft, SurfaceKind::Collision, model.start.q, dents).positions_W, collision.positions_W);
   EXPECT_EQ(m_renderer->evaluated(soft, SurfaceKind::Visual, model.start.q).positions_W, before.positions_W);
+}
+
+TEST_F(StateOnGpu, whatASkinCoversIsDrawnBeneathIt) {
+  const std::string resources = GLENOID_SOURCE_DIR "/resources";
+  const auto model = compileModel(loadJoint(resources + "/joints/shoulder-superficial.joint").value(),
+                                  loadScenario(resources + "/scenarios/palpation.scenario.json").value()).value();
+  ASSERT_TRUE(m_renderer->setScene(*model).ok());
+  const int muscle = findPart(model->joint, "deltoid-acromial");
+  const SceneObject& object = model->objects[muscle];
+  VecX q = model->start.q;
+  for (int n = 0; n < object.layout.nodeCount; ++n) q[object.layout.qOffset + 3 * n + 2] += 6e-3;  // out through the skin
+  UnderSkin kept(*model);
+  kept.look(q, {});
+  const std::span<const Vec3> shifts = kept.shifts(muscle);
+  ASSERT_EQ(shifts.size(), object.visual.vertices.size());
+  std::vector<Vec3> at(shifts.size());
+  surfacePositions(object.visual, object.layout, q, at);
+  const auto drawn = m_renderer->evaluated(muscle, SurfaceKind::Visual, q);
+  double most = 0;
+  for (std::size_t v = 0; v < at.size(); ++v) {
+    EXPECT_LT((drawn.positions_W[v].cast<double>() - at[v] - shifts[v]).norm(), 4 * kFloatLength) << v;
+    most = std::max(most, shifts[v].norm());
+  }
+  EXPECT_GT(most, 3e-3);
+  // And all as it was where nothing comes through.
+  surfacePositions(object.visual, object.layout, model->start.q, at);
+  const auto before = m_renderer->evaluated(muscle, SurfaceKind::Visual, model->start.q);
+  for (std::size_t v = 0; v < at.size(); ++v) EXPECT_LT((before.positions_W[v].cast<double>() - at[v]).norm(), 4 * kFloatLength) << v;
 }
 
 TEST_F(StateOnGpu, aStateOfAnotherModelIsNotDrawn) {
