@@ -33,13 +33,13 @@ Box3 boxOf(const SceneObject& object, const VecX& q, bool cells) {
 
 /// "scope", "scope:TOOL": the object that is looked through; −1: another camera.
 Result<int> scopeNamed(const Model& model, const std::string& name) {
-  constexpr std::string_view kWord = "scope";
-  const bool own = name.starts_with(std::string(kWord) + ":");
+  constexpr std::string_view kWord = "scope", kOwn = "scope:";
+  const bool own = name.starts_with(kOwn);
   const std::vector<Camera>& cameras = model.scenario.cameras;
   if ((name != kWord && !own) || std::any_of(cameras.begin(), cameras.end(), [&](const Camera& camera) { return camera.id == name; })) return -1;
-  const auto found = findScope(model, own ? std::string_view(name).substr(kWord.size() + 1) : std::string_view());
+  const auto found = findScope(model, own ? std::string_view(name).substr(kOwn.size()) : std::string_view());
   if (found) return *found;
-  if (own) return unknown(name.substr(kWord.size() + 1), "arthroscope");
+  if (own) return unknown(name.substr(kOwn.size()), "arthroscope");
   return usageError("--camera scope wants an arthroscope among the scenario's tools, and there is none");
 }
 

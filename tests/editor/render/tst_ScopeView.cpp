@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "editor/render/ScopeView.h"
+#include "simcore/author/MirrorJoint.h"
 #include "simcore/tool/ScopeOptics.h"
 #include "tests/editor/render/PictureCheck.h"
 #include "tests/editor/render/TestScene.h"
@@ -86,6 +87,15 @@ TEST(ScopeOptics, airWidensTheField) {
   EXPECT_NEAR(halfFieldOf(tool), 49.9 * kDegree, 0.1 * kDegree);  // asin(1.333 · 0.5736)
   tool.fieldOfView = 110 * kDegree;
   EXPECT_EQ(halfFieldOf(tool), 1.5) << "no ray leaves water flatter than its surface";
+}
+
+TEST(ScopeOptics, aMirroredScopeLooksAtTheMirrorImage) {
+  Scenario scenario;
+  scenario.tools = {scope(30, 65)};
+  const Tool &here = scenario.tools[0], there = mirroredScenario(scenario).tools[0];
+  const auto mirrored = [](const Vec3& v) { return Vec3(v.x(), v.y(), -v.z()); };
+  EXPECT_LT((there.home.q_WB * scopeAxes(there).forward_B - mirrored(here.home.q_WB * scopeAxes(here).forward_B)).norm(), 1e-12);
+  EXPECT_LT((there.home.q_WB * scopeAxes(there).up_B - mirrored(here.home.q_WB * scopeAxes(here).up_B)).norm(), 1e-12);
 }
 
 class ScopePictures : public Drawing {
