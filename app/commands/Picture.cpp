@@ -11,6 +11,7 @@
 #include "app/commands/Sheet.h"
 #include "editor/core/FieldText.h"
 #include "editor/render/SceneRenderer.h"
+#include "editor/render/ScopeView.h"
 #include "simcore/body/SurfaceBinding.h"
 #include "simcore/reading/SurfaceField.h"
 
@@ -28,6 +29,18 @@ Box3 boxOf(const SceneObject& object, const VecX& q, bool cells) {
   if (cells && !object.layout.rigid)
     for (int node = 0; node < object.layout.nodeCount; ++node) box.extend(Vec3(q.segment<3>(object.layout.qOffset + 3 * node)));
   return box;
+}
+
+/// "scope", "scope:TOOL": the object that is looked through; −1: another camera.
+Result<int> scopeNamed(const Model& model, const std::string& name) {
+  constexpr std::string_view kWord = "scope", kOwn = "scope:";
+  const bool own = name.starts_with(kOwn);
+  const std::vector<Camera>& cameras = model.scenario.cameras;
+  if ((name != kWord && !own) || std::any_of(cameras.begin(), cameras.end(), [&](const Camera& camera) { return camera.id == name; })) return -1;
+  const auto found = findScope(model, own ? std::string_view(name).substr(kOwn.size()) : std::string_view());
+  if (found) return *found;
+  if (own) return unknown(name.substr(kOwn.size()), "arthroscope");
+  return usageError("--camera scope wants an arthroscope among the scenario's tools, and there is none");
 }
 
 Result<View> chooseView(const Model& model, const std::string& name, const Box3& box, double aspect, bool framePart) {
@@ -145,7 +158,24 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
   if (panels.empty()) return usageError("there is nothing to show on this sheet");
   const int width = std::max(wishes.width / static_cast<int>(panels.size()), 1);
   const double aspect = static_cast<double>(width) / wishes.height;
-  const Result<View> view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
+  const Result<int> scope = scopeNamed(model, wishes.camera);
+  if (!scope) return scope.error();
+  if (*scope < 0 && (wishes.haze > 0 || wishes.bleeding > 0)) return usageError("--haze and --bleeding go with --camera scope only");
+  Look look;
+  Result<View> view = View();
+  if (*scope >= 0) {
+    ScopeSight sight = scopeSight(model, state.q, *scope, width, wishes.height);
+    view = sight.view;
+    sight.look.haze = wishes.haze;
+    sight.look.bleeding = wishes.bleeding;
+    look.scope = sight.look;
+    for (Panel& panel : panels) {
+      panel.layers.objects.resize(model.objects.size());
+      panel.layers.objects[*scope].visible = false;  // it does not see itself
+    }
+  } else {
+    view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
+  }
   if (!view) return view.error();
   // One legend is enough: in the last panel that has colours.
   const auto last = std::find_if(panels.rbegin(), panels.rend(), [](const Panel& panel) { return panel.layers.visual; });
@@ -155,7 +185,7 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
   for (const Panel& panel : panels) {
     State shown = state;
     if (panel.q.size() > 0) shown.q = panel.q;
-    Result<Image> image = renderPicture(model, shown, *view, panel.layers, width, wishes.height, {}, contacts);
+    Result<Image> image = renderPicture(model, shown, *view, panel.layers, width, wishes.height, look, contacts);
     if (!image) return image.error();
     images.push_back(std::move(*image));
   }

@@ -19,7 +19,8 @@ namespace glenoid {
 struct PictureWishes {
   std::string out;             ///< PNG to write
   int width = 1280, height = 960;
-  std::string camera;          ///< id of the scenario's camera, or a side ("anterior"); empty: the scenario's first
+  std::string camera;          ///< id of the scenario's camera, a side ("anterior"), "scope" or "scope:TOOL"; empty: the scenario's first
+  double haze = 0, bleeding = 0;  ///< 0…1, through an arthroscope
   std::string layers;          ///< as layersFromWords reads them; empty: the default
   std::string part;            ///< id or number of the only part shown, framed; empty: all
   std::string sheet;           ///< as sheetNamed reads it; empty: one picture

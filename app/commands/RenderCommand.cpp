@@ -57,7 +57,10 @@ void addRenderCommand(CLI::App& app, int& status) {
   command->add_option("--out", wishes->picture.out, "PNG to write")->required();
   command->add_option("--size", wishes->size, "WIDTHxHEIGHT in pixels [1280x960]");
   command->add_option("--camera", wishes->picture.camera,
-                      "One of the scenario's cameras, or anterior, posterior, lateral, medial (by the side of the joint), superior, inferior");
+                      "One of the scenario's cameras, or anterior, posterior, lateral, medial (by the side of the joint), superior, inferior; scope: through "
+                      "the scenario's first arthroscope, scope:TOOL through that one");
+  command->add_option("--haze", wishes->picture.haze, "How much the fluid in the joint veils, 0 to 1; with --camera scope")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--bleeding", wishes->picture.bleeding, "How much of the field blood clouds, 0 to 1; with --camera scope")->check(CLI::Range(0.0, 1.0));
   command->add_option("--layers", wishes->picture.layers,
                       "Such as visual,contacts; of visual, collision, dynamics, couplings, contacts, tools, regions, labels");
   command->add_option("--time", wishes->time, "Run the scenario so far first, s")->check(CLI::NonNegativeNumber);

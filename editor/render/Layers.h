@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "editor/render/ColorMap.h"
+#include "editor/render/ScopeLook.h"
 #include "simcore/base/Error.h"
 #include "simcore/scene/Part.h"
 #include "simcore/step/Stepper.h"
@@ -104,6 +105,8 @@ struct Look {
   int samples = -1;              ///< MSAA; −1: 4, or 1 on a software renderer
   int supersample = 1;           ///< 1…4: drawn larger by this factor and averaged
   double pixelRatio = 1;         ///< device pixels per logical pixel: width of lines and size of the marker
+  /// As through an arthroscope, see ScopeView.h: no background, marker, labels, legend or strokes then.
+  std::optional<ScopeLook> scope = std::nullopt;
 };
 
 }  // namespace glenoid

@@ -62,6 +62,10 @@ void SceneRenderer::Inside::drawFilled(const Shown& shown, const Eye& eye, const
     program.set("color", look.color ? linearColor((*look.color)[0], (*look.color)[1], (*look.color)[2]) : colorOf(object));
   }
   program.set("opacity", look.opacity);
+  if (scope && !field) {
+    program.set("reach", static_cast<float>(scope->reach));
+    program.set("fog", static_cast<float>(std::clamp(scope->haze, 0.0, 1.0) * 0.6931 / std::max(scope->reach, 1e-6)));
+  }
   program.set("faceted", shown.kind == SurfaceKind::Collision ? 1 : 0);
   const bool plain = shown.kind == SurfaceKind::Collision;
   program.set("occluded", occluded && !plain ? 1.0f : 0.0f);

@@ -7,6 +7,7 @@
 
 #include "editor/render/Marker.h"
 #include "editor/render/SceneRendererInside.h"
+#include "editor/render/ScopeView.h"
 
 namespace glenoid {
 namespace {
@@ -53,6 +54,12 @@ Result<std::unique_ptr<SceneRenderer>> SceneRenderer::create() {
     if (!program) return program.error();
     in.compose[outline] = std::move(*program);
   }
+  auto scopeSurface = Program::build({"surface.vert.glsl", "surface.frag.glsl"}, nullptr, "#define DETAIL\n#define SCOPE\n");
+  if (!scopeSurface) return scopeSurface.error();
+  in.scopeSurface = std::move(*scopeSurface);
+  auto scopeCompose = Program::build({"screen.vert.glsl", "compose.frag.glsl"}, nullptr, "#define SCOPE\n");
+  if (!scopeCompose) return scopeCompose.error();
+  in.scopeCompose = std::move(*scopeCompose);
   if (auto built = in.evaluator.build(); !built) return built.error();
   if (auto built = in.painter.build(); !built) return built.error();
   if (auto built = in.labelPainter.build(); !built) return built.error();
@@ -197,14 +204,15 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
 
   const bool fits = in.fits(q);
   std::vector<LabelPainter::Label> labels;
-  if (fits && layers.labels) labels = in.labelsFor(view, q, layers, target);
+  if (fits && layers.labels && !look.scope) labels = in.labelsFor(view, q, layers, target);
   if (fits) {
     in.updateBoxes(q);
     in.evaluate(q, layers.dents, in.visuallyShown(layers));
   }
   const Eye eye = in.eyeFor(view, layers, static_cast<double>(target.width) / target.height);
 
-  in.surface = look.detail ? &in.detailedSurface : &in.plainSurface;
+  in.scope = look.scope;
+  in.surface = look.scope ? &in.scopeSurface : look.detail ? &in.detailedSurface : &in.plainSurface;
   in.occluded = look.ambientOcclusion;
   if (fits && look.ambientOcclusion) in.updateOcclusion(q, layers);
   if (fits) in.placeShafts(q, eye, layers);
@@ -212,6 +220,12 @@ void SceneRenderer::draw(const View& view, const VecX& q, const Layers& layers,
   in.frame.bindScene();
   if (fits) in.drawScene(eye, layers, contacts, std::max(look.pixelRatio, 0.1) * in.frame.factor());
   in.frame.resolveScene();
+  if (look.scope) {
+    in.drawScoped(*look.scope, target);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    return;
+  }
   if (fits && anyChosen(layers)) in.drawMask(eye, layers);
   in.drawComposed(layers, look, target);
   if (layers.marker) in.drawMarker(view, look, target);
@@ -262,6 +276,25 @@ void SceneRenderer::Inside::drawComposed(const Layers& layers, const Look& look,
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, 0);
   }
+}
+
+void SceneRenderer::Inside::drawScoped(const ScopeLook& look, const Target& target) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  glViewport(0, 0, target.width, target.height);
+  scopeCompose.use();
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, frame.color());
+  scopeCompose.set("scene", 0);
+  scopeCompose.set("factor", frame.factor());
+  scopeCompose.set("size", frame.width(), frame.height());
+  scopeCompose.set("field", Eigen::Vector4f(0.5f * static_cast<float>(target.width), 0.5f * static_cast<float>(target.height),
+                                            static_cast<float>(scopeRadius(target.width, target.height)), static_cast<float>(look.distortion)));
+  scopeCompose.set("notch", Eigen::Vector3f(static_cast<float>(std::sin(look.notch)), static_cast<float>(std::cos(look.notch)), look.hasNotch ? 1.0f : 0.0f));
+  scopeCompose.set("blood", static_cast<float>(std::clamp(look.bleeding, 0.0, 1.0)));
+  scopeCompose.set("haze", static_cast<float>(std::clamp(look.haze, 0.0, 1.0)));
+  glBindVertexArray(empty.id());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void SceneRenderer::Inside::drawMarker(const View& view, const Look& look, const Target& target) {

@@ -47,6 +47,8 @@ struct SceneRenderer::Inside {
   bool occluded = true;                    ///< whether that frame darkens hollows
   int shafts = 0;                          ///< tools that darken tissue near them in that frame
   Program compose[2];                      ///< [with outline]
+  Program scopeSurface, scopeCompose;      ///< as through an arthroscope
+  std::optional<ScopeLook> scope;          ///< of the frame that is being drawn
   GlVertexArray empty;                     ///< for passes that need no attribute
 
   SceneGeometry scene;
@@ -96,6 +98,7 @@ struct SceneRenderer::Inside {
   void drawMask(const Eye& eye, const Layers& layers);
   void updateOcclusion(const VecX& q, const Layers& layers);
   void placeShafts(const VecX& q, const Eye& eye, const Layers& layers);
+  void drawScoped(const ScopeLook& look, const Target& target);
   void drawComposed(const Layers& layers, const Look& look, const Target& target);
   void drawMarker(const View& view, const Look& look, const Target& target);
   std::vector<LabelPainter::Label> labelsFor(const View& view, const VecX& q, const Layers& layers, const Target& target);

@@ -52,6 +52,7 @@ MainWindow::MainWindow(const Parts& parts, const GlProbe& graphics, SceneLoader 
   makeEditActions();
   makeViewActions();
   makeColourActions();
+  makeScopeActions();
   makeSimulationActions();
   m_author = new AuthorDocks(*this, m_actions, m_document, m_jobs, m_display, m_selection, m_view);
   makeLab(std::move(lab));

@@ -93,6 +93,7 @@ class MainWindow : public QMainWindow {
   void makeEditActions();
   void makeViewActions();
   void makeColourActions();
+  void makeScopeActions();
   void makeSimulationActions();
   void makeMenus();
   void makeToolBars();

@@ -305,6 +305,8 @@ void MainWindow::makeMenus() {
   fill(view, {"frame", "frameAll", "home"});
   m_sideMenu = view->addMenu(themedIcon("view"), QString());
   for (const Side side : kSides) m_sideMenu->addAction(m_actions[QStringLiteral("from.") + QLatin1String(sideName(side))]);
+  view->addAction(m_actions[QStringLiteral("scope")]);
+  view->addAction(m_actions[QStringLiteral("scope.swap")]);
   m_colourMenu = view->addMenu(QString());
   m_colourMenu->addAction(m_actions[QStringLiteral("colour.off")]);
   for (const Quantity quantity : kQuantities) m_colourMenu->addAction(m_actions[QStringLiteral("colour.") + QLatin1String(quantityName(quantity))]);

@@ -66,6 +66,7 @@ void SceneView::releaseRenderer() {
   makeCurrent();
   m_renderer.reset();
   m_small.reset();
+  m_inset.reset();
   m_model.reset();
   doneCurrent();
 }
@@ -168,14 +169,14 @@ void SceneView::takeModel() {
 void SceneView::paintGL() {
   if (!m_renderer) return;
   takeModel();
-  const Snapshot& snapshot = m_link.snapshot();
   QElapsedTimer clock;
   clock.start();
   if (m_coarse) {
-    drawCoarse(m_view, snapshot);
+    drawCoarse();
   } else {
-    m_renderer->draw(m_view, shownState(), layers(), snapshot.report.contactViews, look(), target());
+    drawInto(target(), scopeIsLarge(), look());
   }
+  drawInset(look());
   if (m_software) {
     context()->functions()->glFinish();  // the CPU does the work anyway; now its time is known
     const double ms = 1e-6 * static_cast<double>(clock.nsecsElapsed());
@@ -186,7 +187,7 @@ void SceneView::paintGL() {
   emit drawn();
 }
 
-void SceneView::drawCoarse(const View& view, const Snapshot& snapshot) {
+void SceneView::drawCoarse() {
   const Target full = target();
   const QSize size(std::max(full.width / 2, 1), std::max(full.height / 2, 1));
   if (!m_small || m_small->size() != size) {
@@ -194,8 +195,7 @@ void SceneView::drawCoarse(const View& view, const Snapshot& snapshot) {
   }
   Look coarse = look();
   coarse.pixelRatio /= 2;  // lines keep their width on the screen
-  m_renderer->draw(view, shownState(), layers(), snapshot.report.contactViews, coarse,
-                   {m_small->handle(), size.width(), size.height()});
+  drawInto({m_small->handle(), size.width(), size.height()}, scopeIsLarge(), coarse);
   QOpenGLFunctions* gl = context()->functions();
   QOpenGLFramebufferObject::blitFramebuffer(nullptr, QRect(0, 0, full.width, full.height), m_small.get(),
                                             QRect(QPoint(0, 0), size), GL_COLOR_BUFFER_BIT, GL_LINEAR);
@@ -217,14 +217,26 @@ QImage SceneView::picture(int width, int height) {
   Look fine = look();
   fine.samples = -1;
   const Snapshot& snapshot = m_link.snapshot();
-  auto image = m_renderer->picture(m_view, shownState(), layers(), snapshot.report.contactViews, fine, width, height);
+  View view = m_view;
+  Layers shown = layers();
+  if (scopeIsLarge()) {
+    const int object = *scopeObject();
+    const ScopeSight sight = scopeSight(*m_model, shownState(), object, width, height);
+    view = sight.view;
+    fine.scope = sight.look;
+    shown.objects.resize(std::max(shown.objects.size(), static_cast<std::size_t>(object) + 1));
+    shown.objects[static_cast<std::size_t>(object)].visible = false;
+  }
+  auto image = m_renderer->picture(view, shownState(), shown, snapshot.report.contactViews, fine, width, height);
   doneCurrent();
   if (!image.ok()) return {};
   return QImage(image->rgba.data(), image->width, image->height, 4 * image->width, QImage::Format_RGBA8888).copy();
 }
 
 std::optional<QPointF> SceneView::toScreen(const Vec3& p_W) const {
-  const auto pixel = projected(m_view, p_W, width(), height());
+  const auto pixel = scopeIsLarge() && scopeObject()
+                         ? seenThrough(scopeSight(*m_model, m_link.snapshot().q, *scopeObject(), width(), height()), p_W, width(), height())
+                         : projected(m_view, p_W, width(), height());
   if (!pixel) return std::nullopt;
   return QPointF(pixel->x(), pixel->y());
 }
@@ -283,6 +295,7 @@ Pointer pointerOf(const QMouseEvent& event) {
 }  // namespace
 
 std::optional<PickHit> SceneView::pickAt(const QPointF& logical) {
+  if (scopeIsLarge()) return std::nullopt;
   if (!m_renderer || !m_model || m_link.snapshot().model != m_model) return std::nullopt;
   makeCurrent();
   const QPointF at = device(logical);
@@ -307,7 +320,7 @@ void SceneView::beginToolDrag(int tool, const QPointF& at) {
   if (tool < 0 || tool >= static_cast<int>(snapshot.hands.size())) return;
   const Pose hand = snapshot.hands[tool];
   m_draggedTool = tool;
-  m_toolDrag.emplace(m_view, hand, hand.p_WB, at.x(), at.y(), height());
+  m_toolDrag.emplace(shownView(), hand, hand.p_WB, at.x(), at.y(), height());
   m_gesture = Gesture::Tool;
   m_link.holdTool(tool, hand);
   setCursor(Qt::ClosedHandCursor);
@@ -424,7 +437,7 @@ void SceneView::wheelEvent(QWheelEvent* event) {
     m_link.holdTool(m_draggedTool, m_toolDrag->moved(m_last.x(), m_last.y()));
   } else if (depth && m_chosenTool >= 0 && m_chosenTool < static_cast<int>(m_link.snapshot().hands.size())) {
     Pose hand = m_link.handOf(m_chosenTool);
-    hand.p_WB -= axesOf(m_view).back_W * (kDepthPerNotch * notches);
+    hand.p_WB -= axesOf(shownView()).back_W * (kDepthPerNotch * notches);
     m_link.holdTool(m_chosenTool, hand);
     m_wheelHolds = m_chosenTool;
     m_wheelRest.start();

@@ -13,6 +13,7 @@
 #include "editor/core/ToolDrag.h"
 #include "editor/core/tools/Authoring.h"
 #include "editor/render/SceneRenderer.h"
+#include "editor/render/ScopeView.h"
 
 class QLabel;
 class QOpenGLFramebufferObject;
@@ -43,6 +44,13 @@ class SceneView : public QOpenGLWidget {
   int chosenTool() const { return m_chosenTool; }
   bool isDraggingTool() const { return m_toolDrag.has_value(); }
 
+  /// Where the arthroscope's picture stands. Large: the outside is in the corner, a tool is dragged in the scope's picture, and
+  /// nothing is picked in it. Off while an author's tool is active, and where the scene has no arthroscope. The chosen tool's,
+  /// where that is an arthroscope, else the first one's.
+  enum class ScopePlace { Off, Small, Large };
+  void setScope(ScopePlace place);
+  ScopePlace scope() const { return m_scope; }
+
   /// Whose the left button is while a tool of it is active; it must outlive the view or be taken back with null.
   void setAuthoring(Authoring* authoring);
 
@@ -60,6 +68,7 @@ class SceneView : public QOpenGLWidget {
  signals:
   void graphicsFailed(const glenoid::Error& error);
   void chosenToolChanged(int tool);
+  void scopeChanged();
   void drawn();  ///< a frame was drawn
 
  protected:
@@ -79,7 +88,12 @@ class SceneView : public QOpenGLWidget {
  private:
   enum class Gesture { None, Orbit, Pan, Tool, Pick, Author };
   void requestDraw();
-  void drawCoarse(const View& view, const Snapshot& snapshot);
+  void drawCoarse();
+  std::optional<int> scopeObject() const;
+  bool scopeIsLarge() const;
+  View shownView();  ///< of the large picture
+  void drawInto(const Target& target, bool through, const Look& look);
+  void drawInset(const Look& look);
   void takeModel();
   void releaseRenderer();
   Look look() const;
@@ -121,7 +135,8 @@ class SceneView : public QOpenGLWidget {
   QTimer m_draw, m_fine;
   double m_paintMs = 0;  ///< of the last frames, smoothed
   bool m_coarse = false;
-  std::unique_ptr<QOpenGLFramebufferObject> m_small;
+  std::unique_ptr<QOpenGLFramebufferObject> m_small, m_inset;
+  ScopePlace m_scope = ScopePlace::Off;
 
   QTimer m_wheelRest;
   int m_wheelHolds = -1;

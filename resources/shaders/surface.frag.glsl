@@ -23,6 +23,10 @@ uniform float wet;         // 0...1, film of fluid
 uniform float occluded;    // 0...1, how much hollows darken
 uniform vec4 tint;         // linear colour and strength: selected, hovered
 uniform vec3 up_V;         // the world's vertical in camera axes
+#ifdef SCOPE
+uniform float reach;       // m: where the lamp at the eye lights as the camera expects
+uniform float fog;         // 1/m: how fast fluid veils
+#endif
 #ifdef FIELD
 in float shownValue;
 uniform sampler1D scale;   // sRGB, from low to high
@@ -199,6 +203,23 @@ void main() {
   }
 #endif
   vec3 albedo = outside ? tissueColor : mix(color, vec3(dot(color, vec3(0.21, 0.72, 0.07))), 0.6) * 0.30;
+#ifdef SCOPE
+  // One lamp, at the eye: by the inverse square, bounded near, and what tissue throws back into the joint.
+  float away = length(p_V), lamp = min(1.0 / (away * away / (reach * reach) + 0.12), 3.2);
+  vec3 lampColor = lamp * vec3(1.05, 1.02, 0.98);
+  vec3 result = albedo * (0.10 * lamp + 0.004) + litBy(v, lampColor, 0.12, rough, n, v, albedo);
+  if (outside && film > 0.0) {
+    float a = 0.03, d = nv * nv * (a - 1.0) + 1.0;
+    result += film * 0.16 * lampColor * min(a / (3.14159265 * d * d), 8.0) * nv;
+  }
+  float open = 1.0 - occluded * 0.5 * (1.0 - (outside ? sky : 1.0));
+  result *= open * vec3(sqrt(sqrt(open)), 1.0, 1.0);
+  result *= 1.0 - 0.35 * smoothstep(0.75, 1.0, 1.0 - nv);
+  result = mix(result, tint.rgb * (0.35 + 0.65 * nv), 0.5 * tint.a);
+  float clear = exp(-fog * away);
+  result = mix(vec3(0.42, 0.36, 0.33) * min(lamp, 1.0), result, clear);
+  shaded = vec4(result * (opacity >= 1.0 ? 1.0 : clamp(opacity, 0.0, 1.0)), opacity >= 1.0 ? 1.0 : clamp(opacity, 0.0, 1.0));
+#else
   float height = dot(n, normalize(up_V + vec3(0.0, 0.6, 0.0))) * 0.5 + 0.5;
   vec3 ambient = mix(vec3(0.30, 0.25, 0.23), vec3(0.52, 0.56, 0.62), height);
   vec3 result = albedo * ambient;
@@ -229,4 +250,5 @@ void main() {
   float denser = (1.0 - opacity) * 0.55 * graze * graze * sqrt(graze);
   float alpha = opacity >= 1.0 ? 1.0 : clamp(opacity + denser, 0.0, 1.0);
   shaded = vec4(result * alpha, alpha);
+#endif
 }

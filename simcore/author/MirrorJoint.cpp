@@ -137,6 +137,7 @@ Scenario mirroredScenario(const Scenario& scenario) {
   for (Tool& tool : out.tools) {
     tool.name = otherSideIn(tool.name);
     tool.home = mirroredTool(tool.home);
+    tool.lensTurn = -tool.lensTurn;
   }
   out.training.text = otherSideIn(out.training.text);
   for (Task& task : out.training.tasks) {

@@ -118,7 +118,10 @@ struct Tool {
   double angularStiffness = 2;       ///< N·m/rad
   double dampingRatio = 1.0;         ///< of the coupling against the tool's mass, 1 = critical
   double forceMax = 10;              ///< N, the coupling's pull is clamped here
-  double lens = 0;                   ///< rad, arthroscope: how far its view is turned from −Z toward +X
+  double lens = 0;                   ///< rad, arthroscope: how far its view is turned from −Z, toward +X unless lensTurn says otherwise
+  double lensTurn = 0;               ///< rad, arthroscope: how far the light post has turned the lens about the shaft, from +X toward +Y
+  double fieldOfView = 1.222;        ///< rad, arthroscope: whole angle seen in water. 70°: a high-definition arthroscope, as in PMID 41101332
+  bool inAir = false;                ///< arthroscope: the joint is not filled, and the field is wider
   double friction = 0.1;             ///< Coulomb coefficient of this side; a pair uses the geometric mean
   Pose home;                         ///< hand pose at the start, W
   std::vector<std::string> perforates;  ///< parts that the shaft passes through without contact

@@ -129,7 +129,11 @@ JsonValue fromTool(const Tool& tool) {
   json.set("dampingRatio", tool.dampingRatio);
   json.set("forceMax", tool.forceMax);
   json.set("friction", tool.friction);
-  if (tool.lens != 0) json.set("lens", tool.lens);
+  const Tool usual;
+  if (tool.lens != usual.lens) json.set("lens", tool.lens);
+  if (tool.lensTurn != usual.lensTurn) json.set("lensTurn", tool.lensTurn);
+  if (tool.fieldOfView != usual.fieldOfView) json.set("fieldOfView", tool.fieldOfView);
+  if (tool.inAir) json.set("inAir", tool.inAir);
   json.set("home", fromPose(tool.home));
   json.set("perforates", fromTexts(tool.perforates));
   if (!tool.link.empty()) {
@@ -153,6 +157,9 @@ Tool toTool(const JsonValue& json) {
   tool.forceMax = json["forceMax"].number(tool.forceMax);
   tool.friction = json["friction"].number(tool.friction);
   tool.lens = json["lens"].number(tool.lens);
+  tool.lensTurn = json["lensTurn"].number(tool.lensTurn);
+  tool.fieldOfView = json["fieldOfView"].number(tool.fieldOfView);
+  tool.inAir = json["inAir"].boolean(tool.inAir);
   tool.home = toPose(json["home"]);
   tool.perforates = toTexts(json["perforates"]);
   tool.link = json["link"].text();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simcore/body/State.h"
+#include "simcore/tool/ScopeOptics.h"
 #include "simcore/train/BoundPlace.h"
 
 namespace glenoid {
@@ -24,9 +25,8 @@ double meets(const Vec3& from, const Vec3& way, const Vec3& a, const Vec3& b, co
 
 ScopeView scopeView(const Model& model, const VecX& q, int tool) {
   const SceneObject& object = model.objects[tool];
-  const double lens = model.scenario.tools[object.toolIndex].lens;
   const Quat turn = poseAt(q, object.layout.qOffset).q_WB;
-  return {CarriedPoint(model, tool, Vec3::Zero()).at(model, q), turn * Vec3(std::sin(lens), 0, -std::cos(lens))};
+  return {CarriedPoint(model, tool, Vec3::Zero()).at(model, q), turn * scopeAxes(model.scenario.tools[object.toolIndex]).forward_B};
 }
 
 bool inSight(const Model& model, const VecX& q, int tool, const Vec3& from_W, const Vec3& to_W, double tolerance) {

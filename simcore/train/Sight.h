@@ -7,10 +7,10 @@ namespace glenoid {
 /// Where an arthroscope looks from, and where to.
 struct ScopeView {
   Vec3 lens_W = Vec3::Zero();    ///< m: the tip
-  Vec3 axis_W = -Vec3::UnitZ();  ///< unit, the middle of the picture
+  Vec3 axis_W = -Vec3::UnitZ();  ///< unit, the middle of the picture (ScopeOptics.h)
 };
 
-/// The view of a tool, by its lens (Tool::lens).
+/// The view of a tool, by its lens and light post.
 ScopeView scopeView(const Model& model, const VecX& q, int tool);
 
 /// Whether nothing of any part or of another tool lies between a lens and a point, on collision surfaces; what is nearer to

@@ -48,13 +48,17 @@ Scenario full() {
 
 TEST(TrainingFile, comesBackAsItWas) {
   const std::string path = (std::filesystem::temp_directory_path() / "glenoid-training.scenario.json").string();
-  const Scenario scenario = full();
+  Scenario scenario = full();
+  scenario.tools[1].lensTurn = -1.25;
+  scenario.tools[1].fieldOfView = 1.9;
+  scenario.tools[1].inAir = true;
   const auto saved = saveScenario(scenario, path);
   ASSERT_TRUE(saved) << toLogLine(saved.error());
   const auto back = loadScenario(path);
   ASSERT_TRUE(back) << toLogLine(back.error());
   EXPECT_TRUE(back->training == scenario.training);
-  EXPECT_EQ(back->tools[1].lens, scenario.tools[1].lens);
+  const Tool &scope = scenario.tools[1], &read = back->tools[1];
+  EXPECT_EQ(std::tuple(read.lens, read.lensTurn, read.fieldOfView, read.inAir), std::tuple(scope.lens, scope.lensTurn, scope.fieldOfView, scope.inAir));
   std::filesystem::remove(path);
 }
 
