@@ -62,6 +62,13 @@ function(glenoid_library name)
   endif()
 endfunction()
 
+# glenoid_light(TARGETS...): code that reads, writes and shows but does not compute; a third of its compilation is spared.
+function(glenoid_light)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
+endfunction()
+
 # A sanitizer slows a test ten to twenty times. Those that repeat for seconds what shorter ones do once are left out there.
 set(GLENOID_SANITIZED_FILTER "-Hertz.*:Energy.neverGrowsInAnImpactOfAnyTissueUpToFiveMilliseconds"
   "Energy.neverExceedsTheStartFromAScatteredShape" "Energy.ofASpinningChain*" "Energy.ofATautBand*" "LinearCost.*" "PeerStudy.*"
@@ -114,6 +121,9 @@ function(glenoid_test name)
   if(GLENOID_SANITIZE)
     list(APPEND environment "GTEST_FILTER=${GLENOID_SANITIZED_FILTER}")
     math(EXPR ARG_TIMEOUT "4 * ${ARG_TIMEOUT}")
+  endif()
+  if("long" IN_LIST ARG_LABEL)
+    set_tests_properties(${name} PROPERTIES COST 1000)  # first, so that none is left over at the end
   endif()
   set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT ${ARG_TIMEOUT} ENVIRONMENT "${environment}")
 endfunction()

@@ -41,19 +41,28 @@ TEST(DegenerateJoints, everyCommandEndsInASentence) {
   limitChildren();
   const fs::path base = freshFolder();
   const unsigned count = everything() ? 300 : 24;
-  const std::vector<std::string> formats{"msh", "vtu", "scn", "feb", "glb"};
+  const std::vector<std::string> formats{"msh", "vtu", "scn", "feb", "glb", "inp"};
   for (unsigned seed = 1; seed <= count; ++seed) {
     const fs::path joint = base / ("n" + std::to_string(seed) + ".joint");
     const std::string what = writeDegenerateJoint(seed, joint), word = "'" + joint.string() + "'", out = "'" + (base / "out").string();
     const fs::path scenario = base / ("n" + std::to_string(seed) + ".scenario.json");
     writeText(scenario, "{\"schemaVersion\": 2, \"id\": \"n\", \"name\": \"N\", \"joint\": \"" + joint.filename().string() + "\"}");
-    std::vector<std::string> commands{"joint check " + word, "joint info " + word, "export " + word + " --format " + formats[seed % formats.size()] + " --out " + out + "." + formats[seed % formats.size()] + "'",
-                                      "run '" + scenario.string() + "' --steps 3", "joint pack " + word + " " + out + ".jointz'"};
+    const auto written = [&](const std::string& format) { return "export " + word + " --format " + format + " --out " + out + "." + format + "'"; };
+    std::vector<std::string> commands{"joint check " + word, "joint info " + word, written(formats[seed % formats.size()]), "run '" + scenario.string() + "' --steps 3",
+                                      "joint pack " + word + " " + out + ".jointz'", "joint mirror " + word + " --out " + out + "-other.joint'"};
+    if (everything() || seed % 6 == 0) commands.push_back("render " + word + " --size 160x120 --out " + out + ".png'");
     if (everything() || seed == 12) commands.push_back("joint dents " + word + " --out " + out + ".joint'");  // takes half a minute of a sound joint
-    if (everything()) commands.push_back("joint check " + word + " --json"), commands.push_back("joint info " + word + " --json");
+    if (everything()) {
+      for (const std::string& format : formats) commands.push_back(written(format));
+      commands.push_back("joint check " + word + " --json");
+      commands.push_back("joint info " + word + " --json");
+      for (const char* sheet : {"anatomy", "meshes", "cage"}) commands.push_back("render " + word + " --size 160x120 --sheet " + sheet + " --out " + out + ".png'");
+      commands.push_back("render '" + scenario.string() + "' --size 160x120 --time 0.01 --colour stress --layers visual,dynamics,couplings,regions --out " + out + ".png'");
+    }
     for (const std::string& command : commands) tryCommand(command, what, seed);
     if (::testing::Test::HasFailure()) continue;  // what failed can be looked at
     fs::remove_all(joint);
+    fs::remove_all(base / "out-other.joint");
   }
 }
 

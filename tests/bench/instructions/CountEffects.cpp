@@ -13,7 +13,7 @@
 using namespace glenoid;
 
 int main() {
-  constexpr int kWarmUp = 25, kCounted = 8;
+  constexpr int kWarmUp = 15, kCounted = 6;
   const scenes::EffectScene whole = scenes::wholeScene();
   const Inputs inputs{{scenes::pressedHand()}};
   for (const char* effect : scenes::kStepEffects)
