@@ -151,7 +151,7 @@ JsonValue fromCoupling(const Coupling& coupling) {
   JsonValue json = JsonValue::object();
   json.set("id", coupling.id);
   json.set("partA", coupling.partA);
-  if (!coupling.byNodes() || !coupling.regionA.empty()) json.set("regionA", coupling.regionA);
+  if (!coupling.regionA.empty()) json.set("regionA", coupling.regionA);
   if (coupling.byNodes()) json.set("nodesA", listOf(coupling.nodesA, [](int node) { return JsonValue(node); }));
   json.set("partB", coupling.partB);
   if (!coupling.byNodes() || coupling.stiffnessPerArea != 0) json.set("stiffnessPerArea", coupling.stiffnessPerArea);

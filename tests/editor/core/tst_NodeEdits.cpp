@@ -68,7 +68,8 @@ TEST_F(NodeEdits, whatCannotHoldIsNoStep) {
   wish.partA = "middle";
   wish.partB = "left";
   wish.stiffnessPerNode = 250;
-  for (const std::vector<int>& nodes : {std::vector<int>{0, 3}, {0, 9, 18}, {0, 3, 27}, {0, 3, 3, 9}}) {
+  using Nodes = std::vector<int>;
+  for (const Nodes& nodes : {Nodes{0, 3}, Nodes{0, 9, 18}, Nodes{0, 3, 27}, Nodes{0, 3, 3, 9}}) {
     wish.nodes = nodes;
     EXPECT_EQ(addCoupling(document, wish), "");
     EXPECT_FALSE(setCouplingNodes(document, "c12", nodes));

@@ -136,7 +136,8 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
 TEST(FixProblem, nodesThatCannotHoldGetThoseAroundThem) {
   Joint joint = soundJoint();
   joint.couplings = scenes::figure4AtNodes().couplings;
-  for (const std::vector<int>& nodes : {std::vector<int>{0}, {0, 3}, {0, 3, 6}}) {
+  using Nodes = std::vector<int>;
+  for (const Nodes& nodes : {Nodes{0}, Nodes{0, 3}, Nodes{0, 3, 6}}) {
     joint.couplings[0].nodesA = nodes;
     joint.couplings[0].stiffnessPerNode = 600 / static_cast<double>(nodes.size());
     const Joint fixed = fixedJoint(joint, ProblemKind::NodesCannotHold);

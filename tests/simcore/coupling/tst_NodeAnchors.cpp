@@ -14,7 +14,7 @@
 namespace glenoid {
 namespace {
 
-std::vector<CoupledPart> partsOf(const Joint& joint) {
+std::vector<CoupledPart> coupledParts(const Joint& joint) {
   std::vector<CoupledPart> parts;
   for (const Part& part : joint.parts) parts.push_back({&part, boundsOf(*part.visual).center()});
   return parts;
@@ -24,7 +24,7 @@ std::vector<CoupledPart> partsOf(const Joint& joint) {
 Arguments whyNot(const std::vector<int>& nodes) {
   Joint joint = scenes::figure4AtNodes();
   joint.couplings[0].nodesA = nodes;
-  const auto springs = deriveSprings(joint, 0, partsOf(joint));
+  const auto springs = deriveSprings(joint, 0, coupledParts(joint));
   if (springs.ok()) return {};
   EXPECT_EQ(springs.error().fault, Fault::BadNodes);
   EXPECT_EQ(springs.error().place.part, "c12");
@@ -37,7 +37,7 @@ TEST(NodeAnchors, eachPickedNodeIsHeldByOneSpringAtItself) {
   Coupling& coupling = joint.couplings[0];
   std::reverse(coupling.nodesA.begin(), coupling.nodesA.end());
   coupling.damping = 3e-3;
-  const auto parts = partsOf(joint);
+  const auto parts = coupledParts(joint);
   const auto springs = deriveSprings(joint, 0, parts).value();
   const TetMesh& volume = *joint.parts[1].volume;
   ASSERT_EQ(springs.size(), 9u);
@@ -58,7 +58,7 @@ TEST(NodeAnchors, aSoftPartnerHoldsByTheTetrahedronAround) {
   Joint joint = scenes::figure4AtNodes();
   joint.parts[2] = scenes::boxPart("right", 3, PartKind::Soft, Vec3(0.015, -0.003, -0.004), Vec3(0.05, 0.025, 0.03), 3);
   const TetMesh& b = *joint.parts[2].volume;
-  for (const CouplingSpring& spring : deriveSprings(joint, 1, partsOf(joint)).value()) {
+  for (const CouplingSpring& spring : deriveSprings(joint, 1, coupledParts(joint)).value()) {
     double sum = 0;
     for (int k = 0; k < 4; ++k) {
       EXPECT_GE(spring.b.weight[k], -1e-12) << "inside";
@@ -80,7 +80,7 @@ TEST(NodeAnchors, forcesAndMomentsOfBothSidesBalance) {
     for (Vec3& x : *nodes) x += Vec3(some(random), some(random), some(random));
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   double size = 0;
-  for (const CouplingSpring& spring : deriveSprings(joint, 1, partsOf(joint)).value()) {
+  for (const CouplingSpring& spring : deriveSprings(joint, 1, coupledParts(joint)).value()) {
     const Vec3 onA = -spring.stiffness * (boundPosition(spring.a, a) - boundPosition(spring.b, b));
     size += onA.norm();
     for (int k = 0; k < 4; ++k) {
@@ -97,7 +97,7 @@ TEST(NodeAnchors, aNodeIsAPlaceWhereAnotherMeshRuns) {
   Joint joint = scenes::figure4AtNodes();
   const TetMesh authored = *joint.parts[1].volume;
   joint.parts[1].volume = std::make_shared<TetMesh>(scenes::boxVolume(Vec3(-0.02, 0, 0), Vec3(0.02, 0.02, 0.02), 3, 3, 3));
-  auto parts = partsOf(joint);
+  auto parts = coupledParts(joint);
   parts[1].authored = &authored;
   const auto springs = deriveSprings(joint, 0, parts).value();
   ASSERT_EQ(springs.size(), 9u);
@@ -119,13 +119,13 @@ TEST(NodeAnchors, whatCannotHoldIsSaid) {
   EXPECT_EQ(whyNot({edge[0], edge[1], face[8]}), Arguments{}) << "a triangle holds";
   Joint joint = scenes::figure4AtNodes();
   joint.couplings[0].regionA = "left-end";
-  EXPECT_EQ(deriveSprings(joint, 0, partsOf(joint)).error().arguments, (Arguments{"both"}));
+  EXPECT_EQ(deriveSprings(joint, 0, coupledParts(joint)).error().arguments, (Arguments{"both"}));
   joint = scenes::figure4AtNodes();
   std::swap(joint.couplings[0].partA, joint.couplings[0].partB);
-  EXPECT_EQ(deriveSprings(joint, 0, partsOf(joint)).error().arguments, (Arguments{"rigid", "left"}));
+  EXPECT_EQ(deriveSprings(joint, 0, coupledParts(joint)).error().arguments, (Arguments{"rigid", "left"}));
   joint = scenes::figure4AtNodes();
   joint.couplings[0].nodesA.clear();
-  EXPECT_EQ(deriveSprings(joint, 0, partsOf(joint)).error().arguments, (Arguments{"neither"}));
+  EXPECT_EQ(deriveSprings(joint, 0, coupledParts(joint)).error().arguments, (Arguments{"neither"}));
 }
 
 TEST(NodeAnchors, aHairsBreadthBesideALineIsALine) {
@@ -135,7 +135,7 @@ TEST(NodeAnchors, aHairsBreadthBesideALineIsALine) {
     Joint joint = scenes::figure4AtNodes();
     TetMesh mesh = *joint.parts[1].volume;
     for (int i = 0; i < 3; ++i) mesh.nodes[i] = points[i];
-    auto parts = partsOf(joint);
+    auto parts = coupledParts(joint);
     joint.couplings[0].nodesA = {0, 1, 2};
     parts[1].authored = &mesh;
     return deriveSprings(joint, 0, parts).ok();

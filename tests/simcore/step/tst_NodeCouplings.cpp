@@ -77,9 +77,10 @@ Vec6 rigidAnswer(const std::vector<Vec3>& places, const Vec3& force, const Vec3&
 
 TEST(NodeCouplings, nEqualSpringsGiveLoadOverNTimesK) {
   const Vec3 force(0, -0.05, 0);
-  for (const auto& [picked, n] : {std::pair<std::function<bool(const Vec3&)>, int>{[](const Vec3& p) { return p.y() > -1e-9; }, 9},
-                                  {[](const Vec3& p) { return p.y() > -1e-9 && std::abs(p.x()) > 5e-3 && std::abs(p.z()) > 5e-3; }, 4},
-                                  {[](const Vec3&) { return true; }, 27}}) {
+  using Pick = std::pair<std::function<bool(const Vec3&)>, int>;
+  for (const auto& [picked, n] : {Pick{[](const Vec3& p) { return p.y() > -1e-9; }, 9},
+                                  Pick{[](const Vec3& p) { return p.y() > -1e-9 && std::abs(p.x()) > 5e-3 && std::abs(p.z()) > 5e-3; }, 4},
+                                  Pick{[](const Vec3&) { return true; }, 27}}) {
     Hung hung = stiffBlock(picked);
     ASSERT_EQ(static_cast<int>(hung.joint.couplings[0].nodesA.size()), n);
     hung.scenario.loads = {{"block", force, Vec3::Zero(), Vec3(0, -kSide / 2, 0)}};
