@@ -10,6 +10,13 @@
             <numerusform>Select %n triangles</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Select %n node(s)</source>
+        <translation>
+            <numerusform>Select %n node</numerusform>
+            <numerusform>Select %n nodes</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>glenoid::BodyPanel</name>
@@ -129,6 +136,20 @@
         <translation>
             <numerusform>%n spring</numerusform>
             <numerusform>%n springs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) selected</source>
+        <translation>
+            <numerusform>%n node selected</numerusform>
+            <numerusform>%n nodes selected</numerusform>
         </translation>
     </message>
 </context>
@@ -468,6 +489,16 @@
         <translation>
             <numerusform>%n notice about the run</numerusform>
             <numerusform>%n notices about the run</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>glenoid::PropertiesPanel</name>
+    <message numerus="yes">
+        <source>%n picked node(s)</source>
+        <translation>
+            <numerusform>%n picked node</numerusform>
+            <numerusform>%n picked nodes</numerusform>
         </translation>
     </message>
 </context>

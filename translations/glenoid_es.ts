@@ -167,6 +167,14 @@
         <source>The arrow keys go through the settings, Enter chooses one</source>
         <translation>Las flechas recorren los ajustes, Intro elige uno</translation>
     </message>
+    <message>
+        <source>It has no error of %1 against this reference; %2 a step, %3 in 95 of 100.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 error; %3 a step, %4 in 95 of 100.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>glenoid::AccuracyPlot</name>
@@ -729,14 +737,6 @@
 <context>
     <name>glenoid::AuthorDocks</name>
     <message>
-        <source>&amp;Pick triangles</source>
-        <translation>&amp;Seleccionar triángulos</translation>
-    </message>
-    <message>
-        <source>Pick triangles of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through</source>
-        <translation>Seleccionar triángulos de una pieza con el ratón; Mayús añade, Ctrl quita, Alt atraviesa</translation>
-    </message>
-    <message>
         <source>&amp;Move a cage</source>
         <translation>&amp;Mover una jaula</translation>
     </message>
@@ -781,40 +781,20 @@
         <translation>&amp;Ampliar</translation>
     </message>
     <message>
-        <source>Select one ring of triangles more</source>
-        <translation>Seleccionar un anillo de triángulos más</translation>
-    </message>
-    <message>
         <source>&amp;Shrink</source>
         <translation>&amp;Reducir</translation>
-    </message>
-    <message>
-        <source>Select one ring of triangles less</source>
-        <translation>Seleccionar un anillo de triángulos menos</translation>
     </message>
     <message>
         <source>C&amp;onnected</source>
         <translation>C&amp;onectados</translation>
     </message>
     <message>
-        <source>Select the whole piece of surface</source>
-        <translation>Seleccionar todo el trozo de superficie</translation>
-    </message>
-    <message>
         <source>&amp;None</source>
         <translation>&amp;Ninguno</translation>
     </message>
     <message>
-        <source>Select no triangles</source>
-        <translation>No seleccionar ningún triángulo</translation>
-    </message>
-    <message>
         <source>&amp;Invert</source>
         <translation>&amp;Invertir</translation>
-    </message>
-    <message>
-        <source>Select all other triangles</source>
-        <translation>Seleccionar todos los demás triángulos</translation>
     </message>
     <message>
         <source>S&amp;maller brush</source>
@@ -859,6 +839,50 @@
     <message>
         <source>Body</source>
         <translation>Cuerpo</translation>
+    </message>
+    <message>
+        <source>&amp;Pick on a part</source>
+        <translation>&amp;Elegir sobre una pieza</translation>
+    </message>
+    <message>
+        <source>Pick triangles or nodes of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through</source>
+        <translation>Elegir con el ratón triángulos o nodos de una pieza; Mayús añade, Ctrl quita, Alt atraviesa</translation>
+    </message>
+    <message>
+        <source>&amp;Triangles</source>
+        <translation>&amp;Triángulos</translation>
+    </message>
+    <message>
+        <source>Pick triangles of a surface, for regions</source>
+        <translation>Elegir triángulos de una superficie, para regiones</translation>
+    </message>
+    <message>
+        <source>N&amp;odes</source>
+        <translation>N&amp;odos</translation>
+    </message>
+    <message>
+        <source>Pick nodes of a soft part&apos;s cells, which springs will hold</source>
+        <translation>Elegir nodos de las celdas de una pieza blanda, que sujetarán muelles</translation>
+    </message>
+    <message>
+        <source>Select one ring more</source>
+        <translation>Seleccionar un anillo más</translation>
+    </message>
+    <message>
+        <source>Select one ring less</source>
+        <translation>Seleccionar un anillo menos</translation>
+    </message>
+    <message>
+        <source>Select the whole piece that is connected</source>
+        <translation>Seleccionar todo el trozo conectado</translation>
+    </message>
+    <message>
+        <source>Select nothing</source>
+        <translation>No seleccionar nada</translation>
+    </message>
+    <message>
+        <source>Select all others</source>
+        <translation>Seleccionar todo lo demás</translation>
     </message>
 </context>
 <context>
@@ -915,6 +939,10 @@
         <source>Remove the cage of %1</source>
         <translation>Quitar la jaula de %1</translation>
     </message>
+    <message>
+        <source>Pick other nodes for the coupling of %1 to %2</source>
+        <translation>Elegir otros nodos para el acoplamiento de %1 con %2</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::Authoring</name>
@@ -943,6 +971,17 @@
         <translation>
             <numerusform>Seleccionar %n triángulo</numerusform>
             <numerusform>Seleccionar %n triángulos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select no nodes</source>
+        <translation>No seleccionar ningún nodo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Select %n node(s)</source>
+        <translation>
+            <numerusform>Seleccionar %n nodo</numerusform>
+            <numerusform>Seleccionar %n nodos</numerusform>
         </translation>
     </message>
 </context>
@@ -1399,6 +1438,13 @@
     </message>
 </context>
 <context>
+    <name>glenoid::CarriedText</name>
+    <message>
+        <source>Picked nodes of couplings became the nearest ones of the new cells: %1 now %2, moved by %3 mm at most.</source>
+        <translation>Los nodos elegidos de los acoplamientos pasaron a ser los más cercanos de las celdas nuevas: de %1 quedan %2, movidos %3 mm como máximo.</translation>
+    </message>
+</context>
+<context>
     <name>glenoid::CouplingPanel</name>
     <message>
         <source>Select the region “%1”</source>
@@ -1543,10 +1589,6 @@
         <translation>Seleccionar</translation>
     </message>
     <message>
-        <source>Select all triangles that lie within this distance of the other part, or inside it</source>
-        <translation>Seleccionar todos los triángulos que quedan a menos de esta distancia de la otra pieza, o dentro de ella</translation>
-    </message>
-    <message>
         <source>New</source>
         <translation>Nueva</translation>
     </message>
@@ -1681,6 +1723,104 @@
     <message>
         <source>What choosing a region does</source>
         <translation>Qué hace elegir una región</translation>
+    </message>
+    <message>
+        <source>The materials suggest %1 N/mm: the softer tissue&apos;s modulus times the edge of a cell.</source>
+        <translation>Los materiales sugieren %1 N/mm: el módulo del tejido más blando por la arista de una celda.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n nodo</numerusform>
+            <numerusform>%n nodos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> N/mm per node</source>
+        <translation> N/mm por nodo</translation>
+    </message>
+    <message>
+        <source>Stiffness of each spring</source>
+        <translation>Rigidez de cada muelle</translation>
+    </message>
+    <message>
+        <source>%1 at picked nodes, %2 N/mm in all. They lie %3 mm from the other part on average, %4 mm at most.</source>
+        <translation>%1 en nodos elegidos, %2 N/mm en total. Están a %3 mm de la otra pieza de media y a %4 mm como máximo.</translation>
+    </message>
+    <message>
+        <source>Couple at the selected nodes</source>
+        <translation>Acoplar en los nodos seleccionados</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) selected</source>
+        <translation>
+            <numerusform>%n nodo seleccionado</numerusform>
+            <numerusform>%n nodos seleccionados</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This part is rigid and has no nodes. Pick on a soft part.</source>
+        <translation>Esta pieza es rígida y no tiene nodos. Elija sobre una pieza blanda.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected. Paint over the dots in the view, or take what is near.</source>
+        <translation>No hay nada seleccionado. Pinte sobre los puntos de la vista o tome lo que está cerca.</translation>
+    </message>
+    <message>
+        <source>%1: too few, or in a line. Three that do not lie in a line are needed.</source>
+        <translation>%1: son muy pocos o están alineados. Hacen falta tres que no estén en una línea.</translation>
+    </message>
+    <message>
+        <source>%1 of %2.</source>
+        <translation>%1 de %2.</translation>
+    </message>
+    <message>
+        <source>Select the nodes of a coupling</source>
+        <translation>Seleccionar los nodos de un acoplamiento</translation>
+    </message>
+    <message>
+        <source>These nodes cannot hold: three that do not lie in a line are needed.</source>
+        <translation>Estos nodos no pueden sujetar: hacen falta tres que no estén en una línea.</translation>
+    </message>
+    <message>
+        <source>%1 N/mm in all</source>
+        <translation>%1 N/mm en total</translation>
+    </message>
+    <message>
+        <source>What:</source>
+        <translation>Qué:</translation>
+    </message>
+    <message>
+        <source>triangles of its surface</source>
+        <translation>triángulos de su superficie</translation>
+    </message>
+    <message>
+        <source>nodes of its cells</source>
+        <translation>nodos de sus celdas</translation>
+    </message>
+    <message>
+        <source>Over triangles the parts are glued; at nodes a spring of its own holds each</source>
+        <translation>Sobre triángulos las piezas quedan pegadas; en los nodos, cada uno lo sujeta un muelle propio</translation>
+    </message>
+    <message>
+        <source>Select all that lies within this distance of the other part, or inside it</source>
+        <translation>Seleccionar todo lo que está a esta distancia de la otra pieza o dentro de ella</translation>
+    </message>
+    <message>
+        <source>Select its nodes</source>
+        <translation>Seleccionar sus nodos</translation>
+    </message>
+    <message>
+        <source>The nodes of the chosen coupling become the selection</source>
+        <translation>Los nodos del acoplamiento elegido pasan a ser la selección</translation>
+    </message>
+    <message>
+        <source>Set its nodes</source>
+        <translation>Fijar sus nodos</translation>
+    </message>
+    <message>
+        <source>The chosen coupling holds at the selected nodes from now on</source>
+        <translation>El acoplamiento elegido sujeta desde ahora en los nodos seleccionados</translation>
     </message>
 </context>
 <context>
@@ -4386,6 +4526,18 @@
         <source>The cage squeezes “%1”: %2 tetrahedra keep less than %3 % of their volume, the worst (number %4) keeps %5 %. They will push back when the run begins. Use a smaller clearance or a cage with more handles.</source>
         <translation>La jaula aprieta «%1»: %2 tetraedros conservan menos del %3 % de su volumen, el peor (número %4) conserva el %5 %. Empujarán cuando empiece la simulación. Use una holgura menor o una jaula con más tiradores.</translation>
     </message>
+    <message>
+        <source>The coupling “%1” names a part or nodes of cells that are not there (nodes: %2). Pick its nodes again, or remove it.</source>
+        <translation>El acoplamiento «%1» nombra una pieza o nodos de celdas que no existen (nodos: %2). Elija de nuevo sus nodos o quítelo.</translation>
+    </message>
+    <message>
+        <source>The coupling “%1” between “%2” and “%3” cannot hold. %4</source>
+        <translation>El acoplamiento «%1» entre «%2» y «%3» no puede sujetar. %4</translation>
+    </message>
+    <message>
+        <source>Add the nodes around those of the coupling “%1”</source>
+        <translation>Añadir los nodos que rodean a los del acoplamiento «%1»</translation>
+    </message>
 </context>
 <context>
     <name>glenoid::ProblemsPanel</name>
@@ -4827,6 +4979,17 @@
     <message>
         <source>right</source>
         <translation>derecho</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picked node(s)</source>
+        <translation>
+            <numerusform>%n nodo elegido</numerusform>
+            <numerusform>%n nodos elegidos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>N/mm per node</source>
+        <translation>N/mm por nodo</translation>
     </message>
 </context>
 <context>
@@ -5445,6 +5608,46 @@
     <message>
         <source>Use a .joint folder, a .jointz file, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.</source>
         <translation>Use una carpeta .joint, un archivo .jointz, un .scenario.json o una superficie en OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU o VTK.</translation>
+    </message>
+    <message>
+        <source>The coupling names neither a region nor nodes to hold at. Give it one of the two.</source>
+        <translation>El acoplamiento no nombra ni una región ni nodos en los que sujetar. Dele una de las dos cosas.</translation>
+    </message>
+    <message>
+        <source>The coupling names a region and nodes, and holds by one of the two. Take the other out.</source>
+        <translation>El acoplamiento nombra una región y nodos, y sujeta por una de las dos cosas. Quite la otra.</translation>
+    </message>
+    <message>
+        <source>The stiffness of a coupling at nodes is stiffnessPerNode, that of one over a region stiffnessPerArea. Take the other out.</source>
+        <translation>La rigidez de un acoplamiento en nodos es stiffnessPerNode, la de uno sobre una región stiffnessPerArea. Quite la otra.</translation>
+    </message>
+    <message>
+        <source>The coupling names nodes of “%1”, which is rigid and has none. Name a region of it instead, or make the soft part its part A.</source>
+        <translation>El acoplamiento nombra nodos de «%1», que es rígida y no tiene. Nombre en su lugar una región suya, o haga de la pieza blanda su parte A.</translation>
+    </message>
+    <message>
+        <source>The coupling names node %1, where the last one of its part’s cells is %2. Pick its nodes again.</source>
+        <translation>El acoplamiento nombra el nodo %1, y el último de las celdas de su pieza es el %2. Elija de nuevo sus nodos.</translation>
+    </message>
+    <message>
+        <source>The coupling names node %1 twice. Take one of them out.</source>
+        <translation>El acoplamiento nombra dos veces el nodo %1. Quite uno.</translation>
+    </message>
+    <message>
+        <source>The coupling cannot hold against turning: nodes picked: %1. Pick three or more that do not lie in a line.</source>
+        <translation>El acoplamiento no puede impedir el giro: nodos elegidos: %1. Elija tres o más que no estén en una línea.</translation>
+    </message>
+    <message>
+        <source>The coupling cannot hold against turning: its nodes lie in a line (number: %1). Pick another one beside it.</source>
+        <translation>El acoplamiento no puede impedir el giro: sus nodos están en una línea (número: %1). Elija otro al lado.</translation>
+    </message>
+    <message>
+        <source>Of the nodes that hold the coupling, %1 have no node of the new cells within half the diagonal of a cell (the farthest: %2 mm). Make other cells, or remove the coupling and pick its nodes on the new cells.</source>
+        <translation>De los nodos que sujetan el acoplamiento, %1 no tienen ningún nodo de las celdas nuevas a media diagonal de una celda (el más lejano: %2 mm). Haga otras celdas, o quite el acoplamiento y elija sus nodos en las celdas nuevas.</translation>
+    </message>
+    <message>
+        <source>The nodes of the coupling cannot be used: %1. Pick them again.</source>
+        <translation>Los nodos del acoplamiento no se pueden usar: %1. Elíjalos de nuevo.</translation>
     </message>
 </context>
 <context>

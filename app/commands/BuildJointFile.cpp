@@ -95,6 +95,10 @@ Result<Done> buildJointFile(const std::string& recipeFile, const std::string& me
     if (part.volume) std::printf(", %5zu tetrahedra in cells of %.2f mm", part.volume->tets.size(), part.cellSize * 1e3);
     std::putchar('\n');
   }
+  for (const Coupling& coupling : joint->couplings)
+    if (coupling.byNodes())
+      std::printf("     %-24s %5zu nodes of %s hold to %s, %.4g N/m each\n", coupling.id.c_str(), coupling.nodesA.size(), coupling.partA.c_str(),
+                  coupling.partB.c_str(), coupling.stiffnessPerNode);
   if (report.start) printStart(*report.start, *joint);
   const bool cuts = printCuts(report);
   std::printf("%s: hash %s\n", out.c_str(), jointHash(*joint).c_str());

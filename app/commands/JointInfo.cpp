@@ -38,6 +38,9 @@ std::vector<CouplingRow> couplingRows(const Model& model) {
   return rows;
 }
 
+/// Its region, or how many nodes.
+std::string heldText(const Coupling& coupling) { return coupling.byNodes() ? text("%zu nodes", coupling.nodesA.size()) : coupling.regionA; }
+
 std::vector<int> couplingNumbers(const PartReport& part) {
   std::vector<int> numbers;
   for (const PartCoupling& coupling : part.couplings) numbers.push_back(coupling.part);
@@ -142,11 +145,11 @@ std::string jointInfoText(const Model& model) {
   out += aboutText(joint) + "\n";
   out += isPublishedShoulder(joint) ? publishedText(model, parts) : plainText(parts);
   out += bodiesText(model, parts);
-  out += text("\n%-7s %-40s %-42s %7s %13s %9s\n", "between", "coupling", "region", "springs", "stiffness N/m", "area mm²");
+  out += text("\n%-7s %-40s %-42s %7s %13s %9s\n", "between", "coupling", "region or nodes", "springs", "stiffness N/m", "area mm²");
   for (const CouplingRow& row : couplingRows(model))
     out += text("%-7s ", text("%d-%d", std::min(row.a, row.b), std::max(row.a, row.b)).c_str()) + padded(row.coupling->id, 41) +
-           padded(row.coupling->partA + "/" + row.coupling->regionA, 42) +
-           text(" %7d %13.0f %8.1f\n", row.springs, row.stiffness, row.area * 1e6);
+           padded(row.coupling->partA + "/" + heldText(*row.coupling), 42) + text(" %7d %13.0f", row.springs, row.stiffness) +
+           (row.coupling->byNodes() ? text(" %8s\n", "-") : text(" %8.1f\n", row.area * 1e6));
   return out;
 }
 
@@ -177,10 +180,16 @@ std::string jointInfoJson(const Model& model) {
     parts.append(entry);
   }
   Json couplings = Json::array();
-  for (const CouplingRow& row : couplingRows(model))
-    couplings.append(jsonObject({{"id", row.coupling->id}, {"partA", row.coupling->partA}, {"partB", row.coupling->partB},
-                                 {"regionA", row.coupling->regionA}, {"springs", row.springs}, {"stiffness", row.stiffness},
-                                 {"stiffnessPerArea", row.coupling->stiffnessPerArea}}));
+  for (const CouplingRow& row : couplingRows(model)) {
+    Json entry = jsonObject({{"id", row.coupling->id}, {"partA", row.coupling->partA}, {"partB", row.coupling->partB}});
+    if (!row.coupling->byNodes()) entry.set("regionA", row.coupling->regionA);
+    if (row.coupling->byNodes()) entry.set("nodesA", jsonArray(row.coupling->nodesA));
+    entry.set("springs", row.springs);
+    entry.set("stiffness", row.stiffness);
+    if (!row.coupling->byNodes()) entry.set("stiffnessPerArea", row.coupling->stiffnessPerArea);
+    if (row.coupling->byNodes()) entry.set("stiffnessPerNode", row.coupling->stiffnessPerNode);
+    couplings.append(entry);
+  }
   const std::string side = scene_words::wordOf(scene_words::kJointSides, joint.side);
   return toText(jsonObject({{"id", joint.id}, {"name", joint.name}, {"description", joint.description},
                             {"side", side.empty() ? Json() : Json(side)}, {"license", joint.provenance.license},

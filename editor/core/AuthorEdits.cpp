@@ -6,6 +6,10 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/CarriedText.h"
+#include "editor/core/Sentences.h"
+#include "simcore/coupling/CouplingAnchors.h"
+#include "simcore/scene/CouplingHold.h"
 
 namespace glenoid {
 namespace {
@@ -151,9 +155,10 @@ bool removeRegion(Document& document, const std::string& part, const std::string
 std::string addCoupling(Document& document, const CouplingWish& wish) {
   const Joint& joint = document.joint();
   const int a = findPart(joint, wish.partA), b = findPart(joint, wish.partB);
-  if (a < 0 || b < 0 || a == b || !(wish.stiffnessPerArea > 0)) return {};
-  const bool fresh = wish.region.empty();
-  if (fresh ? wish.triangles.empty() : regionIndex(joint, a, wish.region) < 0) return {};
+  const bool byNodes = !wish.nodes.empty();
+  if (a < 0 || b < 0 || a == b || !((byNodes ? wish.stiffnessPerNode : wish.stiffnessPerArea) > 0)) return {};
+  const bool fresh = !byNodes && wish.region.empty();
+  if (byNodes ? !wish.region.empty() || !wish.triangles.empty() : fresh ? wish.triangles.empty() : regionIndex(joint, a, wish.region) < 0) return {};
   Region region;
   if (fresh)
     region = makeRegion(joint.parts[a], "on-" + wish.partB, "footprint", wish.surface, wish.triangles);
@@ -164,9 +169,11 @@ std::string addCoupling(Document& document, const CouplingWish& wish) {
   coupling.partA = wish.partA;
   coupling.partB = wish.partB;
   coupling.regionA = fresh ? region.id : wish.region;
-  coupling.stiffnessPerArea = wish.stiffnessPerArea;
+  coupling.nodesA = wish.nodes;
+  (byNodes ? coupling.stiffnessPerNode : coupling.stiffnessPerArea) = byNodes ? wish.stiffnessPerNode : wish.stiffnessPerArea;
   coupling.damping = wish.damping;
   coupling.reason = wish.reason;
+  if (byNodes && !canHoldAt(joint, coupling)) return {};
   ChangeSet changes = ofCoupling(coupling.id);
   changes.parts = {wish.partA};
   document.edit(coupleText(nameOf(joint, wish.partA), nameOf(joint, wish.partB)), changes, [&](Scene& scene) {
@@ -174,6 +181,25 @@ std::string addCoupling(Document& document, const CouplingWish& wish) {
     scene.joint.couplings.push_back(coupling);
   });
   return coupling.id;
+}
+
+bool setCouplingNodes(Document& document, const std::string& coupling, const std::vector<int>& nodes) {
+  const Joint& joint = document.joint();
+  const int index = indexOf(joint.couplings, coupling);
+  if (index < 0 || !joint.couplings[index].byNodes() || joint.couplings[index].nodesA == nodes) return false;
+  Coupling changed = joint.couplings[index];
+  changed.nodesA = nodes;
+  if (!canHoldAt(joint, changed)) return false;
+  document.edit(AuthorEdits::tr("Pick other nodes for the coupling of %1 to %2").arg(nameOf(joint, changed.partA), nameOf(joint, changed.partB)),
+                ofCoupling(coupling), [&](Scene& scene) { scene.joint.couplings[index] = changed; });
+  return true;
+}
+
+bool canHoldAt(const Joint& joint, const Coupling& coupling) {
+  Joint one = joint;
+  one.couplings = {coupling};
+  const int a = findPart(joint, coupling.partA), b = findPart(joint, coupling.partB);
+  return a >= 0 && b >= 0 && coupling.byNodes() && couplingAnchors(one, 0, {&joint.parts[a], Vec3::Zero()}, joint.parts[b]).ok();
 }
 
 bool removeCoupling(Document& document, const std::string& coupling) {
@@ -293,15 +319,25 @@ bool setStart(Document& document, const std::vector<Cage>& cages, const std::opt
 
 // ---- Bodies
 
-bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body) {
+bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body, QString* said) {
   const int index = findPart(document.joint(), part);
   if (index < 0) return false;
   const Part before = document.joint().parts[index], after = withBody(before, wish, body);
   for (const Region& region : before.regions)
     if (!findRegion(after, region.id) && isRegionUsed(document.joint(), part, region.id)) return false;
-  document.edit(AuthorEdits::tr("Make the body of %1").arg(nameOf(document.joint(), part)), ofParts({part}),
+  Joint joint = document.joint();
+  joint.parts[index] = after;
+  const TetMesh none;
+  const auto carried = carryNodes(joint, part, before.volume ? *before.volume : none, cellEdgeOf(before));
+  if (said) *said = carried ? carriedText(*carried) : sentenceOf(carried.error());
+  if (!carried) return false;
+  ChangeSet changes = ofParts({part});
+  for (const Coupling& coupling : joint.couplings)
+    if (coupling.byNodes() && coupling.partA == part) changes.couplings.insert(coupling.id);
+  document.edit(withCarried(AuthorEdits::tr("Make the body of %1").arg(nameOf(document.joint(), part)), *carried), changes,
                 [&](Scene& scene) {
                   scene.joint.parts[index] = after;
+                  scene.joint.couplings = joint.couplings;
                   std::erase_if(scene.joint.cages, [&](const Cage& cage) { return cage.part == part; });
                   scene.joint.startProof.reset();
                 });

@@ -17,7 +17,7 @@ namespace glenoid {
 /// A slug that is not taken: letters, digits and hyphens of `wish`, with a number where needed.
 std::string freshId(const std::string& wish, const std::vector<std::string>& taken);
 
-/// The wish for a coupling: a region of part A, or triangles from which one is made.
+/// The wish for a coupling: a region of part A, or triangles from which one is made, or nodes of its cells.
 struct CouplingWish {
   std::string partA, partB;
   std::string region;  ///< id of a region of A; empty: made from `triangles`
@@ -26,6 +26,8 @@ struct CouplingWish {
   double stiffnessPerArea = 0;  ///< N/m per m²
   double damping = 1e-3;        ///< s
   std::string reason = {};
+  std::vector<int> nodes = {};  ///< ascending; then neither region nor triangles
+  double stiffnessPerNode = 0;  ///< N/m of each spring
 };
 
 /// Id of the new region; empty when the part is unknown or nothing is selected.
@@ -39,8 +41,12 @@ bool renameRegion(Document& document, const std::string& part, const std::string
 bool removeRegion(Document& document, const std::string& part, const std::string& region);
 bool isRegionUsed(const Joint& joint, const std::string& part, const std::string& region);
 
-/// Id of the new coupling; empty when a part is unknown, both are the same, or nothing is selected.
+/// Id of the new coupling; empty when a part is unknown, both are the same, nothing is selected, or nodes cannot hold.
 std::string addCoupling(Document& document, const CouplingWish& wish);
+/// Other nodes for a coupling at nodes; nothing where they cannot hold.
+bool setCouplingNodes(Document& document, const std::string& coupling, const std::vector<int>& nodes);
+/// Whether such a coupling at nodes would hold its parts against turning.
+bool canHoldAt(const Joint& joint, const Coupling& coupling);
 bool removeCoupling(Document& document, const std::string& coupling);
 bool setCouplingReason(Document& document, const std::string& coupling, const QString& reason);
 bool setCouplingDamping(Document& document, const std::string& coupling, double seconds);
@@ -60,8 +66,9 @@ bool setStart(Document& document, const std::vector<Cage>& cages, const std::opt
               const QString& text);
 
 /// Another body for a part: its cage and the proof of the start go with the meshes they were made for.
-/// Nothing is done where a region that something refers to would be lost.
-bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body);
+/// Nothing is done where a region that something refers to would be lost, or couplings at its nodes cannot be carried over
+/// to the new cells (coupling/CarryNodes.h). `said`: how many were, or why not.
+bool setBody(Document& document, const std::string& part, const BodyWish& wish, const Body& body, QString* said = nullptr);
 
 /// What a part of such a tissue is coloured where its author did not choose; sRGB.
 std::array<float, 3> usualColor(Appearance appearance);

@@ -86,16 +86,17 @@ void Document::setYoungsModulus(const std::string& material, double pascal) {
        QStringLiteral("young:") + QString::fromStdString(material));
 }
 
-void Document::setCouplingStiffness(const std::string& coupling, double stiffnessPerArea) {
+void Document::setCouplingStiffness(const std::string& coupling, double stiffness) {
   const auto& all = joint().couplings;
   const auto found = std::find_if(all.begin(), all.end(), [&](const Coupling& c) { return c.id == coupling; });
-  if (found == all.end() || found->stiffnessPerArea == stiffnessPerArea) return;
+  const auto member = found != all.end() && found->byNodes() ? &Coupling::stiffnessPerNode : &Coupling::stiffnessPerArea;
+  if (found == all.end() || (*found).*member == stiffness) return;
   const std::size_t index = found - all.begin();
   ChangeSet changes;
   changes.model = true;
   changes.couplings = {coupling};
   edit(tr("Change the coupling “%1”").arg(QString::fromStdString(coupling)), changes,
-       [=](Scene& scene) { scene.joint.couplings[index].stiffnessPerArea = stiffnessPerArea; },
+       [=](Scene& scene) { scene.joint.couplings[index].*member = stiffness; },
        QStringLiteral("coupling:") + QString::fromStdString(coupling));
 }
 

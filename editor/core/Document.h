@@ -59,7 +59,8 @@ class Document : public QObject {
 
   // Edits by name, in SI units. Nothing happens when the id is unknown or the value is the same.
   void setYoungsModulus(const std::string& material, double pascal);
-  void setCouplingStiffness(const std::string& coupling, double stiffnessPerArea);
+  /// Per area (N/m per m²), or of a coupling at nodes that of each spring (N/m).
+  void setCouplingStiffness(const std::string& coupling, double stiffness);
   void setProfile(Profile profile);
 
  signals:

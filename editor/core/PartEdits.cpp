@@ -5,9 +5,12 @@
 #include <algorithm>
 
 #include "editor/core/AnatomyNames.h"
+#include "editor/core/CarriedText.h"
 #include "editor/core/PartName.h"
 #include "editor/core/SameScene.h"
 #include "editor/core/Sentences.h"
+#include "simcore/mesh/NodePatch.h"
+#include "simcore/scene/CouplingHold.h"
 
 namespace glenoid {
 namespace {
@@ -34,6 +37,24 @@ bool changePart(Document& document, const std::string& part, const QString& text
   const int index = findPart(document.joint(), part);
   if (index < 0) return false;
   return change(document, text, [&](Scene& scene) { how(scene.joint, scene.joint.parts[index]); }, gesture);
+}
+
+/// The same where its cells may be others: picked nodes are carried over, or nothing is done and `why` says so.
+/// `numbered`: the mesh they speak of, null: the part's own before.
+template <class Change>
+bool changeCells(Document& document, const std::string& part, const QString& text, Change&& how, QString* why, const TetMesh* numbered = nullptr) {
+  const int index = findPart(document.joint(), part);
+  if (index < 0) return false;
+  const Part before = document.joint().parts[index];
+  Scene after = document.scene();
+  how(after, after.joint.parts[index]);
+  const TetMesh none;
+  const auto carried = carryNodes(after.joint, part, numbered ? *numbered : before.volume ? *before.volume : none, numbered ? meanCellEdge(*numbered) : cellEdgeOf(before));
+  if (!carried) {
+    if (why) *why = sentenceOf(carried.error());
+    return false;
+  }
+  return change(document, withCarried(text, *carried), [&](Scene& scene) { scene = std::move(after); });
 }
 
 bool samePair(const Exclusion& e, const std::string& a, const std::string& b) {
@@ -86,17 +107,17 @@ bool setPartNumber(Document& document, const std::string& part, int number) {
 }
 
 bool setPartKind(Document& document, const std::string& part, PartKind kind, std::shared_ptr<const TetMesh> volume,
-                 double cellSize) {
+                 double cellSize, QString* why) {
   if (kind == PartKind::Soft && (!volume || volume->tets.empty())) return false;
   const QString name = partName(document.joint(), part);
-  return changePart(document, part, kind == PartKind::Soft ? PartEdits::tr("Make “%1” soft").arg(name) : PartEdits::tr("Make “%1” rigid").arg(name),
-                    [&](Joint& joint, Part& p) {
-                      p.kind = kind;
-                      p.volume = kind == PartKind::Soft ? volume : nullptr;
-                      p.cellSize = kind == PartKind::Soft ? cellSize : 0;
-                      if (kind == PartKind::Rigid) p.elements = Elements::Tetrahedra;
-                      if (kind == PartKind::Rigid) dropCage(joint, part);
-                    });
+  return changeCells(document, part, kind == PartKind::Soft ? PartEdits::tr("Make “%1” soft").arg(name) : PartEdits::tr("Make “%1” rigid").arg(name),
+                     [&](Scene& scene, Part& p) {
+                       p.kind = kind;
+                       p.volume = kind == PartKind::Soft ? volume : nullptr;
+                       p.cellSize = kind == PartKind::Soft ? cellSize : 0;
+                       if (kind == PartKind::Rigid) p.elements = Elements::Tetrahedra;
+                       if (kind == PartKind::Rigid) dropCage(scene.joint, part);
+                     }, why);
 }
 
 bool setPartColor(Document& document, const std::string& part, const std::array<float, 3>& color) {
@@ -165,27 +186,33 @@ bool setPartSurface(Document& document, const std::string& part, SurfaceKind kin
   });
 }
 
-bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize) {
+bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize, QString* why) {
   const int index = findPart(document.joint(), part);
   if (index < 0 || document.joint().parts[index].kind != PartKind::Soft || !volume || volume->tets.empty()) return false;
-  return changePart(document, part, PartEdits::tr("Embed “%1” in other cells").arg(partName(document.joint(), part)),
-                    [&](Joint&, Part& p) {
-                      p.volume = volume;
-                      p.cellSize = cellSize;
-                    });
+  return changeCells(document, part, PartEdits::tr("Embed “%1” in other cells").arg(partName(document.joint(), part)),
+                     [&](Scene&, Part& p) {
+                       p.volume = volume;
+                       p.cellSize = cellSize;
+                     }, why);
 }
 
 bool movePart(Document& document, const std::string& part, const PartMove& move, QString* why) {
   const int index = findPart(document.joint(), part);
   if (index < 0 || move == PartMove{}) return false;
-  const Result<Part> moved = movedPart(document.joint().parts[index], move);
+  const Part& before = document.joint().parts[index];
+  const Result<Part> moved = movedPart(before, move);
   if (!moved) {
     if (why) *why = sentenceOf(moved.error());
     return false;
   }
-  return change(document, PartEdits::tr("Move “%1”").arg(partName(document.joint(), part)), [&](Scene& scene) {
+  // Where its cells are made anew the old nodes have gone with the part before they look for new ones.
+  const PartMap map = partMap(before, move);
+  TetMesh nodes;
+  if (before.volume) nodes = *before.volume;
+  for (Vec3& node : nodes.nodes) node = map.point(node);
+  const bool sameCells = moved->volume && moved->volume->tets == nodes.tets && moved->volume->nodes.size() == nodes.nodes.size() && before.elements == Elements::Tetrahedra;
+  return changeCells(document, part, PartEdits::tr("Move “%1”").arg(partName(document.joint(), part)), [&](Scene& scene, Part& p) {
     // What the scenario says of places on the part goes with it, as its landmarks do.
-    const PartMap map = partMap(scene.joint.parts[index], move);
     for (Load& load : scene.scenario.loads)
       if (load.part == part && load.point_W) load.point_W = map.point(*load.point_W);
     for (Task& task : scene.scenario.training.tasks)
@@ -194,10 +221,10 @@ bool movePart(Document& document, const std::string& part, const PartMove& move,
         if (place.point_W) place.point_W = map.point(*place.point_W);
         if (place.normal_W) place.normal_W = map.direction(*place.normal_W);
       }
-    scene.joint.parts[index] = *moved;
+    p = *moved;
     dropCage(scene.joint, part);
     scene.joint.startProof.reset();
-  });
+  }, why, sameCells ? moved->volume.get() : &nodes);
 }
 
 bool setPartElements(Document& document, const std::string& part, Elements elements) {

@@ -17,9 +17,11 @@ namespace glenoid {
 bool renamePart(Document& document, const std::string& part, const QString& name);
 /// Parts stay in the order of their numbers. Not a number that another part has.
 bool setPartNumber(Document& document, const std::string& part, int number);
-/// Soft needs a volume that is there; rigid lets volume, cell size and cage go.
+/// Soft needs a volume that is there; rigid lets volume, cell size and cage go. Where a part gets other cells or none, couplings at
+/// its nodes are carried over (coupling/CarryNodes.h), which the step's name says; where they cannot be, nothing is done and
+/// `why` is the sentence. So in all that follow.
 bool setPartKind(Document& document, const std::string& part, PartKind kind, std::shared_ptr<const TetMesh> volume = {},
-                 double cellSize = 0);
+                 double cellSize = 0, QString* why = nullptr);
 /// sRGB, 0…1.
 bool setPartColor(Document& document, const std::string& part, const std::array<float, 3>& color);
 /// First: default, for the whole part.
@@ -32,7 +34,8 @@ bool removePart(Document& document, const std::string& part);
 /// Meshes. Regions on a surface that is replaced are kept only where all their triangles still exist; couplings,
 /// materials and bursae that need one that went go with it.
 bool setPartSurface(Document& document, const std::string& part, SurfaceKind kind, std::shared_ptr<const TriMesh> mesh);
-bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize);
+bool setPartVolume(Document& document, const std::string& part, std::shared_ptr<const TetMesh> volume, double cellSize,
+                   QString* why = nullptr);
 
 /// Elsewhere, larger or turned (author/MovePart.h). Its cage and the proof of the start go, since what overlaps is another thing
 /// now. `why`: the sentence where it cannot be done.

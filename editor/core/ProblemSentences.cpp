@@ -109,11 +109,17 @@ QString ProblemSentences::what() const {
                  : filled(tr("“%1” has the material “%2”, which does not exist. Choose another."),
                           {part, QString::fromStdString(p.material)});
     case ProblemKind::CouplingBroken:
+      if (p.count > 0)
+        return filled(tr("The coupling “%1” names a part or nodes of cells that are not there (nodes: %2). Pick its nodes again, or remove it."),
+                      {coupling, count});
       return filled(tr("The coupling “%1” names a part or a region that is not there (region “%2”). Paint its region again, or "
                        "remove it."), {coupling, QString::fromStdString(p.region)});
     case ProblemKind::RegionCannotHold:
       return filled(tr("The coupling “%1” between “%2” and “%3” cannot hold: its region is a line or empty (%4 mm wide), and "
                        "the parts would turn about it freely. Enlarge its region."), {coupling, part, other, millimetres(p.figure)});
+    case ProblemKind::NodesCannotHold:
+      return filled(tr("The coupling “%1” between “%2” and “%3” cannot hold. %4"),
+                    {coupling, part, other, p.error ? glenoid::sentenceOf(Error{p.error->fault, {}, p.error->arguments, {}}) : QString()});
     case ProblemKind::RegionTooSmall:
       return filled(tr("The region of the coupling “%1” between “%2” and “%3” is too small for its stiffness: %4 N/mm on %5 mm² is "
                        "%6 N/mm per cm², more than a layer of 0.1 mm of the softer tissue. A layer of 1 mm has %7 N/mm per cm²: "
@@ -206,6 +212,7 @@ QString ProblemSentences::fix() const {
     case ProblemKind::NoMaterial: return filled(tr("Give “%1” the material “%2”"), {part, materialName(p.other)});
     case ProblemKind::CouplingBroken: return filled(tr("Remove the coupling “%1”"), {QString::fromStdString(p.coupling)});
     case ProblemKind::RegionCannotHold: return filled(tr("Enlarge the region of the coupling “%1”"), {QString::fromStdString(p.coupling)});
+    case ProblemKind::NodesCannotHold: return filled(tr("Add the nodes around those of the coupling “%1”"), {QString::fromStdString(p.coupling)});
     case ProblemKind::RegionTooSmall:
       return filled(tr("Lower the stiffness of the coupling “%1” to %2 N/mm per cm²"), {QString::fromStdString(p.coupling), number(1e-7 * p.wanted)});
     case ProblemKind::BondedCollision: return filled(tr("Switch off contact between “%1” and “%2”"), {part, other});

@@ -12,6 +12,7 @@ struct Sentences {
  public:
   static QString what(const Error& error, const std::vector<QString>& a);
   static QString advice(Fault fault);
+  static QString nodes(const std::vector<QString>& a);
   static QString place(const Place& place);
   static QString reason(const QString& word);
   static QString effect(const QString& word);
@@ -46,6 +47,7 @@ QString Sentences::what(const Error& error, const std::vector<QString>& a) {
     case Fault::UnknownFormat: return tr("The format of the file is not known.");
     case Fault::TooFewSprings:
       return tr("The region of the coupling cannot hold against turning: %1 mm² with radii of gyration of %2 and %3 mm.").arg(a[0], a[1], a[2]);
+    case Fault::BadNodes: return nodes(a);
     case Fault::NothingNear: return tr("Couplings find nothing to hold: %1.").arg(a[0]);
     case Fault::Unusable: return tr("The scene cannot be simulated: %1.").arg(a[0]);
     case Fault::BadUsage: return tr("The command cannot be understood: %1.").arg(a[0]);
@@ -85,6 +87,7 @@ QString Sentences::advice(Fault fault) {
     case Fault::HashMismatch: return tr("Restore the original file, or save the joint again.");
     case Fault::UnknownFormat: return tr("Use a .joint folder, a .jointz file, a .scenario.json, or a surface as OBJ, STL, PLY, glTF, GLB, 3MF, DAE, FBX, VTP, VTU or VTK.");
     case Fault::TooFewSprings: return tr("Enlarge the region of the coupling.");
+    case Fault::BadNodes: return {};  // each word brings its own
     case Fault::NothingNear: return tr("Enlarge “within”, or check unit and place of both parts.");
     case Fault::Unusable: return tr("Change the part or the setting that is named.");
     case Fault::BadUsage: return tr("“glenoid --help” lists what can be said.");
@@ -97,6 +100,24 @@ QString Sentences::advice(Fault fault) {
     case Fault::Internal: return tr("Please report it with the log, and save your work under another name.");
   }
   return {};
+}
+
+/// What is wrong with the nodes of a coupling, and what to do about it.
+QString Sentences::nodes(const std::vector<QString>& a) {
+  const QString& why = a[0];
+  if (why == u"neither") return tr("The coupling names neither a region nor nodes to hold at. Give it one of the two.");
+  if (why == u"both") return tr("The coupling names a region and nodes, and holds by one of the two. Take the other out.");
+  if (why == u"unit") return tr("The stiffness of a coupling at nodes is stiffnessPerNode, that of one over a region stiffnessPerArea. Take the other out.");
+  if (why == u"rigid") return tr("The coupling names nodes of “%1”, which is rigid and has none. Name a region of it instead, or make the soft part its part A.").arg(a[1]);
+  if (why == u"outside") return tr("The coupling names node %1, where the last one of its part’s cells is %2. Pick its nodes again.").arg(a[1], a[2]);
+  if (why == u"twice") return tr("The coupling names node %1 twice. Take one of them out.").arg(a[1]);
+  if (why == u"few") return tr("The coupling cannot hold against turning: nodes picked: %1. Pick three or more that do not lie in a line.").arg(a[1]);
+  if (why == u"line") return tr("The coupling cannot hold against turning: its nodes lie in a line (number: %1). Pick another one beside it.").arg(a[1]);
+  if (why == u"far")
+    return tr("Of the nodes that hold the coupling, %1 have no node of the new cells within half the diagonal of a cell (the farthest: %2 mm). Make other cells, or "
+              "remove the coupling and pick its nodes on the new cells.")
+        .arg(a[1], a[2]);
+  return tr("The nodes of the coupling cannot be used: %1. Pick them again.").arg(why);
 }
 
 QString Sentences::place(const Place& place) {
@@ -139,7 +160,8 @@ QString sentenceOf(const Error& error) {
   std::vector<QString> arguments;
   for (const std::string& argument : error.arguments) arguments.push_back(QString::fromStdString(argument));
   while (arguments.size() < 3) arguments.push_back(QStringLiteral("?"));
-  const QString text = Sentences::what(error, arguments) + QLatin1Char(' ') + Sentences::advice(error.fault);
+  const QString advice = Sentences::advice(error.fault);
+  const QString text = Sentences::what(error, arguments) + (advice.isEmpty() ? QString() : QLatin1Char(' ') + advice);
   const QString where = placeOf(error.place);
   return where.isEmpty() ? text : where + QStringLiteral(": ") + text;
 }

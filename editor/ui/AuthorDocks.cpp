@@ -86,8 +86,8 @@ void AuthorDocks::makeActions(Actions& actions) {
       "author.select", "pick", {QKeySequence(Qt::Key_E)},
       [] {
         return Actions::Words{
-            tr("&Pick triangles"),
-            tr("Pick triangles of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through")};
+            tr("&Pick on a part"),
+            tr("Pick triangles or nodes of a part with the mouse; Shift adds, Ctrl takes away, Alt goes through")};
       },
       [this](bool on) { m_authoring.setTool(on ? Authoring::Tool::Select : Authoring::Tool::None); }));
   QAction* cage = place(actions.addCheckable(
@@ -107,6 +107,26 @@ void AuthorDocks::makeActions(Actions& actions) {
       [bodies](bool on) { bodies->setVisible(on); }));
   connect(bodies, &QDockWidget::visibilityChanged, body,
           [body, bodies] { body->setChecked(!bodies->isHidden()); });
+  m_menu->addSeparator();
+  m_toolBar->addSeparator();
+  const auto pick = [this](Authoring::Picking what) {
+    m_authoring.setPicking(what);
+    if (m_authoring.tool() != Authoring::Tool::Select) m_authoring.setTool(Authoring::Tool::Select);
+  };
+  QAction* triangles = place(actions.addCheckable(
+      "author.triangles", "pick-triangles", {QKeySequence(Qt::Key_T)},
+      [] {
+        return Actions::Words{tr("&Triangles"), tr("Pick triangles of a surface, for regions")};
+      },
+      [pick](bool) { pick(Authoring::Picking::Triangles); }));
+  QAction* nodes = place(actions.addCheckable(
+      "author.nodes", "pick-nodes", {QKeySequence(Qt::Key_N)},
+      [] {
+        return Actions::Words{tr("N&odes"), tr("Pick nodes of a soft part's cells, which springs will hold")};
+      },
+      [pick](bool) { pick(Authoring::Picking::Nodes); }));
+  auto* what = new QActionGroup(this);
+  for (QAction* each : {triangles, nodes}) what->addAction(each);
   m_menu->addSeparator();
   m_toolBar->addSeparator();
   std::vector<QAction*> modes;
@@ -145,31 +165,31 @@ void AuthorDocks::makeActions(Actions& actions) {
       step(
           "author.grow", "pick-grow", QKeySequence(Qt::CTRL | Qt::Key_Up),
           [] {
-            return Actions::Words{tr("&Grow"), tr("Select one ring of triangles more")};
+            return Actions::Words{tr("&Grow"), tr("Select one ring more")};
           },
           [this] { m_authoring.grow(); }),
       step(
           "author.shrink", "pick-shrink", QKeySequence(Qt::CTRL | Qt::Key_Down),
           [] {
-            return Actions::Words{tr("&Shrink"), tr("Select one ring of triangles less")};
+            return Actions::Words{tr("&Shrink"), tr("Select one ring less")};
           },
           [this] { m_authoring.shrink(); }),
       step(
           "author.connected", "pick-connected", QKeySequence(Qt::CTRL | Qt::Key_L),
           [] {
-            return Actions::Words{tr("C&onnected"), tr("Select the whole piece of surface")};
+            return Actions::Words{tr("C&onnected"), tr("Select the whole piece that is connected")};
           },
           [this] { m_authoring.selectConnected(); }),
       step(
           "author.clear", "pick-none", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A),
           [] {
-            return Actions::Words{tr("&None"), tr("Select no triangles")};
+            return Actions::Words{tr("&None"), tr("Select nothing")};
           },
           [this] { m_authoring.clear(); })};
   QAction* invert = step(
       "author.invert", "pick-invert", QKeySequence(Qt::CTRL | Qt::Key_I),
       [] {
-        return Actions::Words{tr("&Invert"), tr("Select all other triangles")};
+        return Actions::Words{tr("&Invert"), tr("Select all others")};
       },
       [this] { m_authoring.invert(); });
   m_menu->addSeparator();
@@ -189,8 +209,11 @@ void AuthorDocks::makeActions(Actions& actions) {
     select->setChecked(m_authoring.tool() == Authoring::Tool::Select);
     cage->setChecked(m_authoring.tool() == Authoring::Tool::Cage);
     for (std::size_t i = 0; i < modes.size(); ++i) modes[i]->setChecked(kModes[i].mode == m_authoring.mode());
-    for (QAction* action : onSelection) action->setEnabled(!m_authoring.selected().empty());
-    invert->setEnabled(m_authoring.mesh() != nullptr);
+    const bool byNodes = m_authoring.picking() == Authoring::Picking::Nodes;
+    triangles->setChecked(!byNodes);
+    nodes->setChecked(byNodes);
+    for (QAction* action : onSelection) action->setEnabled(m_authoring.anySelected());
+    invert->setEnabled(byNodes ? m_authoring.cells() != nullptr : m_authoring.mesh() != nullptr);
   };
   connect(&m_authoring, &Authoring::toolChanged, this, refresh);
   connect(&m_authoring, &Authoring::modeChanged, this, refresh);

@@ -286,10 +286,11 @@ void BodyPanel::apply() {
   if (!m_madeWish || !m_made || m_bodyJob.busy()) return;
   const BodyWish wanted = *m_madeWish;
   const Body body = *m_made;
-  if (setBody(m_document, m_authoring.part(), wanted, body)) return;
-  m_outcome->setText(
-      tr("A region on the collision surface that is in use would be lost; take more triangles there."));
-  m_outcome->show();
+  QString said;
+  const bool done = setBody(m_document, m_authoring.part(), wanted, body, &said);
+  if (!done && said.isEmpty()) said = tr("A region on the collision surface that is in use would be lost; take more triangles there.");
+  m_outcome->setText(said);
+  m_outcome->setVisible(!said.isEmpty());
 }
 
 void BodyPanel::changeEvent(QEvent* event) {

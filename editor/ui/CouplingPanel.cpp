@@ -30,7 +30,8 @@ using panel::words;
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
-constexpr double kPerField = 1e7;  ///< N/m per m² in one N/mm per cm²
+constexpr double kPerField = 1e7;      ///< N/m per m² in one N/mm per cm²
+constexpr double kPerNodeField = 1e3;  ///< N/m in one N/mm
 
 QIcon swatch(const std::array<float, 3>& color) {
   QPixmap pixmap(24, 24);
@@ -74,9 +75,10 @@ CouplingPanel::CouplingPanel(Document& document, Selection& selection, Authoring
     refreshStiffness();
   });
   connect(&authoring, &Authoring::selectionChanged, this, &CouplingPanel::refreshSelection);
+  connect(&authoring, &Authoring::modeChanged, this, &CouplingPanel::refreshPicking);
   // A part chosen in the tree while nothing is picked yet is the one to work on.
   connect(&selection, &Selection::changed, this, [this] {
-    if (m_authoring.selected().empty() && findPart(m_document.joint(), m_selection.current()) >= 0)
+    if (!m_authoring.anySelected() && findPart(m_document.joint(), m_selection.current()) >= 0)
       m_authoring.setTarget(m_selection.current(), m_authoring.surface());
   });
   retranslate();
@@ -160,6 +162,7 @@ void CouplingPanel::refreshRegions() {
 }
 
 void CouplingPanel::refreshSelection() {
+  if (picksNodes()) return refreshNodeSelection();
   const auto mesh = m_authoring.mesh();
   const std::vector<int>& selected = m_authoring.selected();
   const bool any = mesh && !selected.empty();
@@ -183,6 +186,10 @@ void CouplingPanel::refreshStiffness() {
   if (m_suggested == 0 || std::abs(m_stiffness->value() - m_suggested / kPerField) < 1e-4)
     m_stiffness->setValue(suggested / kPerField);
   m_suggested = suggested;
+  const double node = suggestedNodeStiffness(m_document.joint(), m_authoring.part(), partB());
+  if (m_suggestedNode == 0 || std::abs(m_nodeStiffness->value() - m_suggestedNode / kPerNodeField) < 1e-5) m_nodeStiffness->setValue(node / kPerNodeField);
+  m_suggestedNode = node;
+  m_nodeStiffness->setToolTip(tr("The materials suggest %1 N/mm: the softer tissue's modulus times the edge of a cell.").arg(number(node / kPerNodeField, 4)));
   m_stiffness->setToolTip(
       tr("The materials suggest %1 N/mm per cm²: the softer tissue's modulus over one cell.")
           .arg(number(suggested / kPerField, 4)));
@@ -205,7 +212,8 @@ void CouplingPanel::refreshList() {
     item->setData(0, kIdRole, text(coupling.id));
     item->setText(0, tr("%1 to %2").arg(nameOf(coupling.partA), nameOf(coupling.partB)));
     item->setToolTip(0, text(coupling.reason));
-    item->setText(1, anatomyName(region ? region->name : coupling.regionA));
+    item->setText(1, coupling.byNodes() ? tr("%n node(s)", nullptr, static_cast<int>(coupling.nodesA.size()))
+                                        : anatomyName(region ? region->name : coupling.regionA));
     const auto found = m_figures.find(coupling.id);
     if (found != m_figures.end() && found->second.ok()) {
       const CouplingFigures& figures = found->second.value();
@@ -229,13 +237,19 @@ void CouplingPanel::refreshDetail() {
   for (QWidget* widget : {static_cast<QWidget*>(m_ownStiffness), static_cast<QWidget*>(m_ownDamping),
                           static_cast<QWidget*>(m_ownReason), static_cast<QWidget*>(m_remove)})
     widget->setEnabled(any);
+  const bool byNodes = any && coupling->byNodes();
+  m_takeNodes->setVisible(byNodes);
+  m_replaceNodes->setVisible(byNodes);
+  m_replaceNodes->setEnabled(byNodes && m_authoring.part() == coupling->partA && !m_authoring.selectedNodes().empty() && m_authoring.selectedNodes() != coupling->nodesA);
+  m_ownStiffness->setSuffix(byNodes ? tr(" N/mm per node") : tr(" N/mm per cm²"));
+  m_ownStiffness->setAccessibleName(byNodes ? tr("Stiffness of each spring") : tr("Stiffness per area"));
   if (!any) {
     m_detail->setText(tr("Choose a coupling to see its figures."));
     m_ownReason->clear();
     m_authoring.showAnchors({});
     return;
   }
-  m_ownStiffness->setValue(coupling->stiffnessPerArea / kPerField);
+  m_ownStiffness->setValue(byNodes ? coupling->stiffnessPerNode / kPerNodeField : coupling->stiffnessPerArea / kPerField);
   m_ownDamping->setValue(1e3 * coupling->damping);
   m_ownReason->setText(text(coupling->reason));
   const auto found = m_figures.find(id);
@@ -247,6 +261,9 @@ void CouplingPanel::refreshDetail() {
   } else {
     const CouplingFigures& figures = found->second.value();
     m_detail->setText(
+        byNodes ? tr("%1 at picked nodes, %2 N/mm in all. They lie %3 mm from the other part on average, %4 mm at most.")
+                      .arg(tr("%n spring(s)", nullptr, figures.springs), number(1e-3 * figures.stiffness, 2), number(1e3 * figures.meanGap, 2),
+                           number(1e3 * figures.maxGap, 2)) :
         tr("%1 over %2 mm² (%3 % of the part), %4 N/mm in all. The region lies %5 mm from the other part on "
            "average, %6 mm at most.")
             .arg(tr("%n spring(s)", nullptr, figures.springs), number(1e6 * figures.area, 1),
@@ -299,6 +316,7 @@ void CouplingPanel::askFigures() {
 }
 
 void CouplingPanel::askNear(bool select) {
+  if (picksNodes()) return askNearNodes(select);
   const auto mesh = m_authoring.mesh();
   const int other = findPart(m_document.joint(), partB());
   if (!mesh || other < 0 || partB() == m_authoring.part()) return;
@@ -324,13 +342,15 @@ void CouplingPanel::couple() {
   wish.partA = m_authoring.part();
   wish.partB = partB();
   wish.surface = m_authoring.surface();
-  wish.triangles = m_authoring.selected();
+  if (picksNodes()) wish.nodes = m_authoring.selectedNodes();
+  else wish.triangles = m_authoring.selected();
   // A region that is exactly what is selected is taken as it is.
   const int part = findPart(m_document.joint(), wish.partA);
-  if (part >= 0)
+  if (part >= 0 && !picksNodes())
     for (const Region& region : m_document.joint().parts[part].regions)
       if (region.surface == wish.surface && trianglesOf(region) == wish.triangles) wish.region = region.id;
   wish.stiffnessPerArea = kPerField * m_stiffness->value();
+  wish.stiffnessPerNode = kPerNodeField * m_nodeStiffness->value();
   wish.reason = m_reason->text().toStdString();
   const std::string id = addCoupling(m_document, wish);
   if (id.empty()) return;

@@ -11,6 +11,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QGroupBox;
 class QLabel;
 class QLineEdit;
@@ -21,7 +22,7 @@ class QVBoxLayout;
 
 namespace glenoid {
 
-/// Couplings by picking: which two parts, over which triangles, how stiff; the joint's couplings with their
+/// Couplings by picking: which two parts, over which triangles or at which nodes, how stiff; the joint's couplings with their
 /// figures; and the pairs whose collision their bonds make needless. Shows and forwards: what is done is in
 /// AuthorEdits.
 class CouplingPanel : public QScrollArea {
@@ -49,7 +50,16 @@ class CouplingPanel : public QScrollArea {
   void askNear(bool select);
   void takeRegion();
   void refreshContact();
+  void showMeaning();
   void couple();
+  // At nodes.
+  bool picksNodes() const { return m_authoring.picking() == Authoring::Picking::Nodes; }
+  bool isByNodes(const std::string& coupling) const;
+  void refreshPicking();
+  void refreshNodeSelection();
+  void askNearNodes(bool select);
+  void takeNodes();
+  void replaceNodes();
   std::string partB() const;
   std::string currentRegion() const;
   std::string currentCoupling() const;
@@ -61,14 +71,16 @@ class CouplingPanel : public QScrollArea {
   std::map<std::string, Result<CouplingFigures>> m_figures;  ///< by coupling
   bool m_showing = false;
   double m_suggested = 0;  ///< N/m per m², what the stiffness field offers of itself
+  double m_suggestedNode = 0;  ///< N/m, the same of each node
 
   std::vector<QGroupBox*> m_groups;
   std::vector<QLabel*> m_labels;
-  QComboBox *m_partA, *m_partB, *m_surface, *m_combine;
+  QComboBox *m_partA, *m_partB, *m_what, *m_surface, *m_combine;
+  QFormLayout *m_pickForm, *m_bondForm;
   QCheckBox *m_contact, *m_inSelection;
   QLabel *m_selected, *m_asPressure, *m_detail;
-  QDoubleSpinBox *m_within, *m_stiffness, *m_ownStiffness, *m_ownDamping;
-  QPushButton *m_near, *m_newRegion, *m_setRegion, *m_removeRegion, *m_couple, *m_remove;
+  QDoubleSpinBox *m_within, *m_stiffness, *m_nodeStiffness, *m_ownStiffness, *m_ownDamping;
+  QPushButton *m_near, *m_newRegion, *m_setRegion, *m_removeRegion, *m_couple, *m_remove, *m_takeNodes, *m_replaceNodes;
   QListWidget* m_regions;
   QLineEdit *m_reason, *m_ownReason;
   QTreeWidget* m_list;

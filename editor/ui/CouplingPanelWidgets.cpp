@@ -25,7 +25,8 @@ using panel::words;
 namespace {
 
 constexpr int kIdRole = Qt::UserRole;
-constexpr double kPerField = 1e7;  ///< N/m per m² in one N/mm per cm²
+constexpr double kPerField = 1e7;      ///< N/m per m² in one N/mm per cm²
+constexpr double kPerNodeField = 1e3;  ///< N/m in one N/mm
 
 QDoubleSpinBox* stiff(const QString& name, double low, double high, int decimals) {
   QDoubleSpinBox* box = panel::field(name, low, high, decimals);
@@ -38,7 +39,7 @@ QDoubleSpinBox* stiff(const QString& name, double low, double high, int decimals
 QWidget* CouplingPanel::makePick() {
   auto* box = new QGroupBox;
   m_groups.push_back(box);
-  auto* form = new QFormLayout(box);
+  auto* form = m_pickForm = new QFormLayout(box);
   const auto row = [&](QWidget* widget) {
     auto* label = new QLabel;
     label->setBuddy(widget);
@@ -47,16 +48,20 @@ QWidget* CouplingPanel::makePick() {
   };
   m_partA = new QComboBox;
   m_partA->setObjectName(QStringLiteral("couplings.partA"));
+  m_what = new QComboBox;
+  m_what->setObjectName(QStringLiteral("couplings.what"));
+  m_what->addItems({{}, {}});
   m_surface = new QComboBox;
   m_surface->setObjectName(QStringLiteral("couplings.surface"));
   m_surface->addItems({{}, {}});
   m_partB = new QComboBox;
   m_partB->setObjectName(QStringLiteral("couplings.partB"));
-  for (QComboBox* combo : {m_partA, m_surface, m_partB}) {
+  for (QComboBox* combo : {m_partA, m_what, m_surface, m_partB}) {
     combo->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     combo->setFocusPolicy(Qt::StrongFocus);
   }
   row(m_partA);
+  row(m_what);
   row(m_surface);
   row(m_partB);
   m_within = stiff(QStringLiteral("couplings.within"), 0, 100, 2);
@@ -84,6 +89,9 @@ QWidget* CouplingPanel::makePick() {
                             m_surface->currentIndex() == 1 ? SurfaceKind::Collision : SurfaceKind::Visual);
   };
   connect(m_partA, &QComboBox::currentIndexChanged, this, target);
+  connect(m_what, &QComboBox::currentIndexChanged, this, [this](int index) {
+    if (!m_showing) m_authoring.setPicking(index == 1 ? Authoring::Picking::Nodes : Authoring::Picking::Triangles);
+  });
   connect(m_surface, &QComboBox::currentIndexChanged, this, target);
   connect(m_partB, &QComboBox::currentIndexChanged, this, [this] {
     if (m_showing) return;
@@ -145,25 +153,29 @@ QWidget* CouplingPanel::makeRegions() {
 QWidget* CouplingPanel::makeBond() {
   auto* box = new QGroupBox;
   m_groups.push_back(box);
-  auto* form = new QFormLayout(box);
+  auto* form = m_bondForm = new QFormLayout(box);
+  m_nodeStiffness = stiff(QStringLiteral("couplings.nodeStiffness"), 1e-6, 1e9, 6);
   m_stiffness = stiff(QStringLiteral("couplings.stiffness"), 1e-5, 1e6, 5);
   m_reason = new QLineEdit;
   m_reason->setObjectName(QStringLiteral("couplings.reason"));
   m_asPressure = words("couplings.asPressure", "hint");
   m_couple = button("couplings.couple");
-  for (QWidget* widget : {static_cast<QWidget*>(m_stiffness), static_cast<QWidget*>(m_asPressure),
-                          static_cast<QWidget*>(m_reason)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(m_stiffness), static_cast<QWidget*>(m_nodeStiffness),
+                          static_cast<QWidget*>(m_asPressure), static_cast<QWidget*>(m_reason)}) {
     auto* label = new QLabel;
     m_labels.push_back(label);
     label->setBuddy(widget);
     form->addRow(label, widget);
   }
   form->addRow(m_couple);
-  connect(m_stiffness, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    m_asPressure->setText(tr("%1 kPa per mm").arg(number(value * kPerField * 1e-6, 3)));
-  });
+  for (QDoubleSpinBox* each : {m_stiffness, m_nodeStiffness}) connect(each, &QDoubleSpinBox::valueChanged, this, [this] { showMeaning(); });
   connect(m_couple, &QPushButton::clicked, this, &CouplingPanel::couple);
   return box;
+}
+
+void CouplingPanel::showMeaning() {
+  m_asPressure->setText(picksNodes() ? tr("%1 N/mm in all").arg(number(m_nodeStiffness->value() * static_cast<double>(m_authoring.selectedNodes().size()), 4))
+                                     : tr("%1 kPa per mm").arg(number(m_stiffness->value() * kPerField * 1e-6, 3)));
 }
 
 QWidget* CouplingPanel::makeList() {
@@ -192,6 +204,11 @@ QWidget* CouplingPanel::makeList() {
     form->addRow(label, widget);
   }
   layout->addLayout(form);
+  m_takeNodes = button("couplings.takeNodes");
+  m_replaceNodes = button("couplings.replaceNodes");
+  auto* own = new QHBoxLayout;
+  for (QPushButton* each : {m_takeNodes, m_replaceNodes}) own->addWidget(each);
+  layout->addLayout(own);
   m_remove = button("couplings.remove");
   layout->addWidget(m_remove);
   m_proposals = new QWidget;
@@ -202,7 +219,7 @@ QWidget* CouplingPanel::makeList() {
 
   connect(m_list, &QTreeWidget::currentItemChanged, this, &CouplingPanel::refreshDetail);
   connect(m_ownStiffness, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-    if (!m_showing) m_document.setCouplingStiffness(currentCoupling(), kPerField * value);
+    if (!m_showing) m_document.setCouplingStiffness(currentCoupling(), (isByNodes(currentCoupling()) ? kPerNodeField : kPerField) * value);
   });
   connect(m_ownDamping, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     if (!m_showing) setCouplingDamping(m_document, currentCoupling(), 1e-3 * value);
@@ -212,6 +229,8 @@ QWidget* CouplingPanel::makeList() {
   connect(m_ownReason, &QLineEdit::editingFinished, this, [this] {
     if (!m_showing) setCouplingReason(m_document, currentCoupling(), m_ownReason->text());
   });
+  connect(m_takeNodes, &QPushButton::clicked, this, &CouplingPanel::takeNodes);
+  connect(m_replaceNodes, &QPushButton::clicked, this, &CouplingPanel::replaceNodes);
   connect(m_remove, &QPushButton::clicked, this, [this] { removeCoupling(m_document, currentCoupling()); });
   return box;
 }
@@ -219,17 +238,19 @@ QWidget* CouplingPanel::makeList() {
 void CouplingPanel::retranslate() {
   const QStringList groups = {tr("Pick"), tr("Regions of this part"), tr("New coupling"), tr("Couplings")};
   for (std::size_t i = 0; i < m_groups.size(); ++i) m_groups[i]->setTitle(groups.value(static_cast<int>(i)));
-  const QStringList labels = {tr("Pick on:"),   tr("Surface:"),    tr("Couple to:"), tr("Near:"),
-                              tr("Stiffness:"), tr("This means:"), tr("Why:"),       tr("Stiffness:"),
-                              tr("Damping:"),   tr("Why:")};
+  const QStringList labels = {tr("Pick on:"),   tr("What:"),       tr("Surface:"),     tr("Couple to:"), tr("Near:"), tr("Stiffness:"),
+                              tr("Stiffness:"), tr("This means:"), tr("Why:"),         tr("Stiffness:"), tr("Damping:"), tr("Why:")};
   for (std::size_t i = 0; i < m_labels.size(); ++i) m_labels[i]->setText(labels.value(static_cast<int>(i)));
+  m_what->setItemText(0, tr("triangles of its surface"));
+  m_what->setItemText(1, tr("nodes of its cells"));
+  m_what->setToolTip(tr("Over triangles the parts are glued; at nodes a spring of its own holds each"));
   m_surface->setItemText(0, tr("visual"));
   m_surface->setItemText(1, tr("collision"));
   m_within->setSuffix(tr(" mm"));
   m_within->setAccessibleName(tr("Distance to the other part"));
   m_near->setText(tr("Select"));
   m_near->setToolTip(
-      tr("Select all triangles that lie within this distance of the other part, or inside it"));
+      tr("Select all that lies within this distance of the other part, or inside it"));
   m_inSelection->setText(tr("Only within what is selected"));
   m_inSelection->setToolTip(tr("Draw a lasso first: of what is near, only what lies in it is taken"));
   m_contact->setText(tr("The two touch each other"));
@@ -246,24 +267,29 @@ void CouplingPanel::retranslate() {
   m_removeRegion->setText(tr("Remove"));
   m_removeRegion->setToolTip(tr("Remove the chosen region; one that is in use stays"));
   m_stiffness->setSuffix(tr(" N/mm per cm²"));
-  m_ownStiffness->setSuffix(tr(" N/mm per cm²"));
+  m_nodeStiffness->setSuffix(tr(" N/mm per node"));
   m_ownDamping->setSuffix(tr(" ms"));
   m_ownDamping->setToolTip(tr("Damping force per velocity, over the stiffness"));
   m_reason->setPlaceholderText(tr("What joins the two, for people"));
-  m_couple->setText(tr("Couple over the selection"));
+  m_takeNodes->setText(tr("Select its nodes"));
+  m_takeNodes->setToolTip(tr("The nodes of the chosen coupling become the selection"));
+  m_replaceNodes->setText(tr("Set its nodes"));
+  m_replaceNodes->setToolTip(tr("The chosen coupling holds at the selected nodes from now on"));
   m_remove->setText(tr("Remove this coupling"));
   m_list->setHeaderLabels({tr("Parts"), tr("Region"), tr("Springs"), tr("Gap"), tr("Stiffness")});
   m_list->setAccessibleName(tr("Couplings of the joint"));
   m_regions->setAccessibleName(tr("Regions of the part"));
-  for (QDoubleSpinBox* box : {m_stiffness, m_ownStiffness}) box->setAccessibleName(tr("Stiffness per area"));
+  m_stiffness->setAccessibleName(tr("Stiffness per area"));
+  m_nodeStiffness->setAccessibleName(tr("Stiffness of each spring"));
   m_ownDamping->setAccessibleName(tr("Damping of the coupling"));
   for (QLineEdit* edit : {m_reason, m_ownReason}) edit->setAccessibleName(tr("Why the parts are coupled"));
   refreshParts();
   refreshRegions();
   refreshContact();
+  refreshPicking();
   refreshStiffness();
   refreshList();
-  m_asPressure->setText(tr("%1 kPa per mm").arg(number(m_stiffness->value() * kPerField * 1e-6, 3)));
+  showMeaning();
 }
 
 }  // namespace glenoid

@@ -355,17 +355,20 @@ void PropertiesPanel::showCouplings(QVBoxLayout& layout, const Part& part) {
     QFormLayout* form = group(layout, tr("Coupled to %1").arg(anatomyName(other < 0 ? otherId : joint.parts[other].name)));
     const int owner = findPart(joint, coupling.partA);
     const Region* region = owner < 0 ? nullptr : findRegion(joint.parts[owner], coupling.regionA);
-    form->addRow(tr("Over:"), label(text(region && !region->name.empty() ? region->name : coupling.regionA)));
+    form->addRow(tr("Over:"), label(coupling.byNodes() ? tr("%n picked node(s)", nullptr, static_cast<int>(coupling.nodesA.size()))
+                                                       : text(region && !region->name.empty() ? region->name : coupling.regionA)));
     if (region) {
       form->addRow(tr("Area:"), label(tr("%1 mm²").arg(number(1e6 * areaOf(joint.parts[owner], *region), 0))));
     }
     // N/m per m² is Pa/m; N/mm per mm² is 1e9 of that, so N/mm per cm² reads best for tissue (1e7).
-    QDoubleSpinBox* stiffness = field(coupling.stiffnessPerArea / 1e7, 1e-4, 1e6, 4, tr("N/mm per cm²"));
+    const double unit = coupling.byNodes() ? 1e3 : 1e7;
+    QDoubleSpinBox* stiffness = field((coupling.byNodes() ? coupling.stiffnessPerNode : coupling.stiffnessPerArea) / unit, 1e-4, 1e6, 4,
+                                      coupling.byNodes() ? tr("N/mm per node") : tr("N/mm per cm²"));
     stiffness->setObjectName(QStringLiteral("coupling.") + text(coupling.id));
     stiffness->setAccessibleName(tr("Stiffness of the coupling"));
-    connect(stiffness, &QDoubleSpinBox::valueChanged, this, [this, id = coupling.id](double value) {
+    connect(stiffness, &QDoubleSpinBox::valueChanged, this, [this, id = coupling.id, unit](double value) {
       const QScopedValueRollback guard(m_editing, true);
-      m_document.setCouplingStiffness(id, 1e7 * value);
+      m_document.setCouplingStiffness(id, unit * value);
     });
     connect(stiffness, &QDoubleSpinBox::editingFinished, this, [this] { m_document.endGesture(); });
     form->addRow(tr("Stiffness:"), stiffness);

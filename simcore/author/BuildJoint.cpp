@@ -6,6 +6,7 @@
 #include "simcore/author/MakeCollision.h"
 #include "simcore/author/MirrorJoint.h"
 #include "simcore/author/NearCouplings.h"
+#include "simcore/author/NodeCouplings.h"
 #include "simcore/author/OwnFrame.h"
 #include "simcore/embed/BandShape.h"
 #include "simcore/mesh/MeshHealth.h"
@@ -158,6 +159,8 @@ Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progres
   }
   for (const NearCoupling& near : recipe.nearCouplings)
     if (const auto bound = addNearCoupling(joint, near); !bound) return bound.error();
+  for (const NodeCoupling& wish : recipe.nodeCouplings)
+    if (const auto bound = addNodeCoupling(joint, wish); !bound) return bound.error();
   std::optional<SeparationOutcome> start;
   if (recipe.start) {
     auto freed = separateStart(joint, *recipe.start, [&](double share, int) {

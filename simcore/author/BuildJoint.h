@@ -45,7 +45,7 @@ struct BuildReport {
 /// cages. Parts come out ascending by number; ids, references and materials are not judged here (that is the joint's
 /// check). When surfaces could not be separated the joint is built all the same and the report says so. Fails with
 /// NothingNear before any work (see checkNearCouplings), BadMesh, MeshNotClosed, OutOfRange, Unusable (see simplify and
-/// chooseCells; the place names the part), UnknownId or TooFewSprings (a coupling by distance that finds too little; the place
+/// chooseCells; the place names the part), UnknownId, TooFewSprings or BadNodes (a coupling that finds too little; the place
 /// names it) or Cancelled. Deterministic.
 Result<Joint> buildJoint(const JointRecipe& recipe, const BuildProgress& progress = {},
                          BuildReport* report = nullptr);

@@ -12,6 +12,7 @@
 
 #include "simcore/author/CellsShown.h"
 #include "simcore/mesh/TetTools.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -70,10 +71,12 @@ OpenTissue openTissue(const Joint& joint, int index, int use) {
   const Part& part = joint.parts[static_cast<std::size_t>(index)];
   OpenTissue tissue{index, use, {}, {}, {}};
   for (const int own : useOfTriangles(part)) tissue.marked.push_back(own == use);
-  for (const Coupling& coupling : joint.couplings)
-    for (const Region& region : part.regions)
-      if (coupling.partA == part.id && coupling.regionA == region.id && region.surface == SurfaceKind::Visual)
-        for (const int t : trianglesOf(region)) tissue.marked[static_cast<std::size_t>(t)] = 0;
+  for (const Coupling& coupling : joint.couplings) {
+    if (coupling.partA != part.id || !hasHold(joint, coupling)) continue;
+    const HeldSurface held = heldSurface(part, coupling);
+    if (held.surface == SurfaceKind::Visual)
+      for (const int t : held.triangles) tissue.marked[static_cast<std::size_t>(t)] = 0;
+  }
   for (std::size_t t = 0; t < tissue.marked.size(); ++t) {
     const auto& c = part.visual->triangles[t];
     const Vec3 &x = part.visual->vertices[c[0]], &y = part.visual->vertices[c[1]], &z = part.visual->vertices[c[2]];

@@ -46,7 +46,7 @@ Result<std::vector<Hold>> holdsOf(const Joint& whole, int index, const std::shar
   Joint joint = whole;  // meshes are shared
   joint.parts[index].volume = mesh;
   std::vector<CoupledPart> parts;
-  for (const Part& part : joint.parts) parts.push_back({&part, Vec3::Zero()});
+  for (std::size_t i = 0; i < joint.parts.size(); ++i) parts.push_back({&joint.parts[i], Vec3::Zero(), whole.parts[i].volume.get()});
   const std::string& id = joint.parts[index].id;
   std::vector<Hold> holds;
   for (std::size_t c = 0; c < joint.couplings.size(); ++c) {

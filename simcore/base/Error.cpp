@@ -28,6 +28,7 @@ const char* faultName(Fault fault) {
     case Fault::HashMismatch: return "HashMismatch";
     case Fault::UnknownFormat: return "UnknownFormat";
     case Fault::TooFewSprings: return "TooFewSprings";
+    case Fault::BadNodes: return "BadNodes";
     case Fault::NothingNear: return "NothingNear";
     case Fault::Unusable: return "Unusable";
     case Fault::BadUsage: return "BadUsage";

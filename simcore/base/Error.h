@@ -34,6 +34,7 @@ enum class Fault {
   HashMismatch,       ///< content is not what its name promises
   UnknownFormat,      ///< neither by ending nor by content a known format
   TooFewSprings,      ///< a coupling over a line or nothing: arguments: area in mm², radii of gyration in mm, larger first
+  BadNodes,           ///< picked nodes that cannot hold a coupling: arguments: why (a word, see Sentences), two figures
   NothingNear,        ///< couplings by distance that find no surface: arguments: which, with their nearest distances
   Unusable,           ///< fits the schema, yet cannot be simulated: arguments: what
   BadUsage,           ///< command line: arguments: what

@@ -9,20 +9,12 @@
 #include "simcore/coupling/Islands.h"
 #include "simcore/coupling/RegionAnchors.h"
 #include "simcore/coupling/Springs.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/ProposeExclusions.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid::check {
 namespace {
-
-bool regionFits(const Part& part, const Region& region) {
-  const auto& mesh = region.surface == SurfaceKind::Visual ? part.visual : part.collision;
-  if (!mesh) return false;
-  const long size = static_cast<long>(mesh->triangles.size());
-  return std::all_of(region.triangles.begin(), region.triangles.end(), [&](const TriangleRun& run) {
-    return run.first >= 0 && run.count > 0 && static_cast<long>(run.first) + run.count <= size;
-  });
-}
 
 double distanceBetween(const Part& a, const Part& b) {
   const TriangleTree tree(*b.collision);
@@ -50,24 +42,21 @@ void checkCouplings(Work& work) {
   for (std::size_t c = 0; c < joint.couplings.size() && work.goesOn(); ++c) {
     const Coupling& coupling = joint.couplings[c];
     const int a = findPart(joint, coupling.partA), b = findPart(joint, coupling.partB);
-    const Region* region = a < 0 ? nullptr : findRegion(joint.parts[a], coupling.regionA);
-    if (a < 0 || b < 0 || a == b || !region || !regionFits(joint.parts[a], *region)) {
-      Problem& problem = work.add(ProblemKind::CouplingBroken, Severity::Error, a < 0 ? std::string() : coupling.partA);
-      problem.coupling = coupling.id;
-      problem.region = coupling.regionA;
-      problem.other = coupling.partB;
-      continue;
-    }
-    if (!work.usable[a] || !work.usable[b]) continue;
-    const auto springs = deriveSprings(joint, static_cast<int>(c), parts);
-    int count = 0;
     const auto add = [&](ProblemKind kind, Severity severity) -> Problem& {
-      Problem& problem = work.add(kind, severity, coupling.partA);
+      Problem& problem = work.add(kind, severity, a < 0 ? std::string() : coupling.partA);
       problem.coupling = coupling.id;
       problem.region = coupling.regionA;
       problem.other = coupling.partB;
       return problem;
     };
+    if (coupling.byNodes() && a >= 0 && joint.parts[a].kind == PartKind::Soft && !work.usable[a]) continue;  // said of the part
+    if (!hasHold(joint, coupling)) {
+      add(ProblemKind::CouplingBroken, Severity::Error).count = static_cast<long>(coupling.nodesA.size());
+      continue;
+    }
+    if (!work.usable[a] || !work.usable[b]) continue;
+    const auto springs = deriveSprings(joint, static_cast<int>(c), parts);
+    int count = 0;
     if (springs) {
       count = static_cast<int>(springs->size());
       if (const BondLimit limit = bondLimitOf(joint, coupling); limit.exceeded()) {
@@ -75,10 +64,14 @@ void checkCouplings(Work& work) {
         problem.figure = limit.area;
         problem.wanted = limit.usual;
       }
+    } else if (coupling.byNodes()) {
+      Problem& problem = add(ProblemKind::NodesCannotHold, Severity::Error);
+      problem.count = static_cast<long>(coupling.nodesA.size());
+      problem.error = springs.error();
     } else {
       // Of a strip the width is √12 radii of gyration.
       add(ProblemKind::RegionCannotHold, Severity::Error).figure =
-          std::sqrt(12.0) * radiiOfGyration(momentsOf(joint.parts[a], *region))(1);
+          std::sqrt(12.0) * radiiOfGyration(momentsOf(joint.parts[a], *findRegion(joint.parts[a], coupling.regionA)))(1);
     }
     least = std::min(least, count);
   }

@@ -10,6 +10,7 @@
 #include "simcore/collide/Penetration.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/CageWeights.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/JointFile.h"
 #include "simcore/scene/Start.h"
 #include "simcore/spatial/TriangleTree.h"
@@ -171,15 +172,7 @@ Joint soundOnly(const Work& work, std::vector<std::size_t>& kept) {
     sound.parts.push_back(work.joint.parts[i]);
     kept.push_back(i);
   }
-  std::erase_if(sound.couplings, [&](const Coupling& coupling) {
-    const int a = findPart(sound, coupling.partA), b = findPart(sound, coupling.partB);
-    const Region* region = a < 0 || b < 0 ? nullptr : findRegion(sound.parts[a], coupling.regionA);
-    if (!region) return true;
-    const auto& mesh = region->surface == SurfaceKind::Visual ? sound.parts[a].visual : sound.parts[a].collision;
-    return std::any_of(region->triangles.begin(), region->triangles.end(), [&](const TriangleRun& run) {
-      return run.first < 0 || static_cast<std::size_t>(run.first) + run.count > mesh->triangles.size();
-    });
-  });
+  std::erase_if(sound.couplings, [&](const Coupling& coupling) { return !hasHold(sound, coupling); });
   return sound;
 }
 

@@ -7,6 +7,7 @@
 #include "simcore/body/PartMass.h"
 #include "simcore/check/CheckParts.h"
 #include "simcore/embed/Bind.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/TriangleUse.h"
 
 namespace glenoid::check {
@@ -120,16 +121,11 @@ class Hanging {
     for (const Coupling& coupling : m_joint.couplings) {
       const int a = findPart(m_joint, coupling.partA), b = findPart(m_joint, coupling.partB);
       if (a < 0 || b < 0 || a == b || (a != part && b != part) || !m_work.usable[a] || !m_work.usable[b]) continue;
-      const Region* region = findRegion(m_joint.parts[a], coupling.regionA);
-      if (!region) continue;
+      if (!hasHold(m_joint, coupling)) continue;
       double low = std::numeric_limits<double>::infinity(), high = -low;
-      const TriMesh& mesh = region->surface == SurfaceKind::Visual ? *m_joint.parts[a].visual : *m_joint.parts[a].collision;
-      for (const int triangle : trianglesOf(*region)) {
-        if (triangle < 0 || triangle >= static_cast<int>(mesh.triangles.size())) return {};
-        for (const int vertex : mesh.triangles[triangle]) {
-          low = std::min(low, mesh.vertices[vertex].dot(up));
-          high = std::max(high, mesh.vertices[vertex].dot(up));
-        }
+      for (const Vec3& place : holdPlaces(m_joint.parts[a], coupling)) {
+        low = std::min(low, place.dot(up));
+        high = std::max(high, place.dot(up));
       }
       const int other = a == part ? b : a;
       if (reached[other]) held = std::min(held, low);

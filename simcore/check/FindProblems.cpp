@@ -26,6 +26,7 @@ const char* problemName(ProblemKind kind) {
     case ProblemKind::NoMaterial: return "no-material";
     case ProblemKind::CouplingBroken: return "coupling-broken";
     case ProblemKind::RegionCannotHold: return "region-cannot-hold";
+    case ProblemKind::NodesCannotHold: return "nodes-cannot-hold";
     case ProblemKind::RegionTooSmall: return "region-too-small";
     case ProblemKind::BondedCollision: return "bonded-collision";
     case ProblemKind::PartLoose: return "part-loose";

@@ -15,7 +15,9 @@
 #include "simcore/file/Vtk.h"
 #include "simcore/mesh/Cleanup.h"
 #include "simcore/mesh/MeshHealth.h"
+#include "simcore/mesh/NodePatch.h"
 #include "simcore/repair/RepairStep.h"
+#include "simcore/scene/CouplingHold.h"
 
 namespace glenoid {
 namespace {
@@ -160,6 +162,26 @@ Result<Joint> growRegion(Joint joint, const Problem& problem) {
   return noHelp(problem);
 }
 
+/// Gives a coupling the nodes around its own, ring by ring, until they can hold; the springs' sum stays.
+Result<Joint> growNodes(Joint joint, const Problem& problem) {
+  const auto found = std::find_if(joint.couplings.begin(), joint.couplings.end(),
+                                  [&](const Coupling& c) { return c.id == problem.coupling; });
+  if (found == joint.couplings.end() || !hasHold(joint, *found) || !found->byNodes()) return noLonger(problem);
+  const Part& part = joint.parts[findPart(joint, found->partA)];
+  std::vector<CoupledPart> parts;
+  for (const Part& each : joint.parts) parts.push_back({&each, Vec3::Zero()});
+  const double all = found->stiffnessPerNode * static_cast<double>(found->nodesA.size());
+  std::sort(found->nodesA.begin(), found->nodesA.end());
+  found->nodesA.erase(std::unique(found->nodesA.begin(), found->nodesA.end()), found->nodesA.end());
+  constexpr int kRings = 8;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    found->stiffnessPerNode = all / static_cast<double>(found->nodesA.size());
+    if (deriveSprings(joint, static_cast<int>(found - joint.couplings.begin()), parts)) return joint;
+    found->nodesA = grownNodes(*part.volume, found->nodesA);
+  }
+  return noHelp(problem);
+}
+
 Result<Joint> lowerStiffness(Joint joint, const Problem& problem) {
   for (Coupling& coupling : joint.couplings)
     if (coupling.id == problem.coupling && coupling.stiffnessPerArea > problem.wanted) {
@@ -243,6 +265,7 @@ bool canFix(const Problem& problem) {
     case ProblemKind::InvertedTetrahedra:
     case ProblemKind::CouplingBroken:
     case ProblemKind::RegionCannotHold:
+    case ProblemKind::NodesCannotHold:
     case ProblemKind::RegionTooSmall:
     case ProblemKind::BondedCollision:
     case ProblemKind::CageUnusable:
@@ -282,6 +305,7 @@ Result<Joint> fixProblem(const Joint& joint, const Problem& problem, const FixPr
     case ProblemKind::NoMaterial: return giveMaterial(joint, problem);
     case ProblemKind::CouplingBroken: return removeCoupling(joint, problem);
     case ProblemKind::RegionCannotHold: return growRegion(joint, problem);
+    case ProblemKind::NodesCannotHold: return growNodes(joint, problem);
     case ProblemKind::RegionTooSmall: return lowerStiffness(joint, problem);
     case ProblemKind::BondedCollision: return excludePair(joint, problem);
     case ProblemKind::CageUnusable: return removeCage(joint, problem);

@@ -25,8 +25,9 @@ enum class ProblemKind {
   FlatTetrahedra,      ///< count; element: the worst; figure: its volume, m³
   InvertedTetrahedra,  ///< the same; their corners only need turning around
   NoMaterial,          ///< material: the unknown id, empty: none at all; other: id of one that would do, may be empty
-  CouplingBroken,      ///< names a part or a region that is not there
+  CouplingBroken,      ///< names a part, a region or nodes that are not there; count: nodes it names
   RegionCannotHold,    ///< a coupling over a line; figure: width of its region, m, 0 where it has no area
+  NodesCannotHold,     ///< a coupling at nodes that are too few, in a line or named twice; count: nodes; `error` says why
   RegionTooSmall,      ///< a coupling stiffer per area than tissue is; figure: area of its region, m²; wanted: stiffness
                        ///< per area that tissue has, N/m per m²
   BondedCollision,     ///< figure: bonded area, m²

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "simcore/scene/CouplingHold.h"
+
 namespace glenoid {
 
 namespace {
@@ -23,8 +25,15 @@ BondLimit bondLimitOf(const Joint& joint, const Coupling& coupling) {
   const Part& a = joint.parts[findPart(joint, coupling.partA)];
   const Part& b = joint.parts[findPart(joint, coupling.partB)];
   BondLimit limit;
-  limit.area = areaOf(a, *findRegion(a, coupling.regionA));
-  limit.stiffness = coupling.stiffnessPerArea * limit.area;
+  if (coupling.byNodes()) {
+    const auto count = static_cast<double>(coupling.nodesA.size());
+    limit.cell = cellEdgeOf(a) * cellEdgeOf(a);
+    limit.area = count * limit.cell;
+    limit.stiffness = count * coupling.stiffnessPerNode;
+  } else {
+    limit.area = areaOf(a, *findRegion(a, coupling.regionA));
+    limit.stiffness = coupling.stiffnessPerArea * limit.area;
+  }
   const bool anySoft = a.kind == PartKind::Soft || b.kind == PartKind::Soft;
   for (const Part* part : {&a, &b}) {
     if (anySoft && part->kind != PartKind::Soft) continue;

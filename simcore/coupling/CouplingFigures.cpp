@@ -3,8 +3,9 @@
 
 #include <algorithm>
 
+#include "simcore/coupling/CouplingAnchors.h"
 #include "simcore/coupling/Islands.h"
-#include "simcore/coupling/RegionAnchors.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/spatial/TriangleTree.h"
 
 namespace glenoid {
@@ -37,36 +38,49 @@ Result<CouplingFigures> couplingFigures(const Joint& joint, int index,
 
   const Part& a = joint.parts[findPart(joint, coupling.partA)];
   const Part& b = joint.parts[findPart(joint, coupling.partB)];
-  const Region& region = *findRegion(a, coupling.regionA);
   CouplingFigures figures;
   figures.springs = static_cast<int>(springs->size());
   for (const CouplingSpring& spring : *springs) figures.stiffness += spring.stiffness;
-  for (const RegionAnchor& anchor : regionAnchors({&a, Vec3::Zero()}, region, &b, joint.axes_W))
-    figures.anchors_W.push_back(anchor.rest_W);
+  const auto anchors = couplingAnchors(joint, index, {&a, Vec3::Zero()}, b);
+  if (!anchors) return anchors.error();
+  for (const CouplingAnchor& anchor : *anchors) figures.anchors_W.push_back(anchor.rest_W);
 
-  const TriMesh& mesh = region.surface == SurfaceKind::Visual ? *a.visual : *a.collision;
+  const HeldSurface held = heldSurface(a, coupling);
+  const TriMesh& mesh = held.surface == SurfaceKind::Visual ? *a.visual : *a.collision;
   const auto areaOfTriangle = [&mesh](int t) {
     const auto& c = mesh.triangles[t];
     const Vec3& x = mesh.vertices[c[0]];
     return (mesh.vertices[c[1]] - x).cross(mesh.vertices[c[2]] - x).norm() / 2;
   };
-  double whole = 0;
+  double whole = 0, weights = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) whole += areaOfTriangle(static_cast<int>(t));
   const TriangleTree other(*b.visual);
-  for (const int t : trianglesOf(region)) {
-    const auto& c = mesh.triangles[t];
-    const Vec3 centre = (mesh.vertices[c[0]] + mesh.vertices[c[1]] + mesh.vertices[c[2]]) / 3;
-    const double gap = std::max(0.0, other.signedDistance(centre)), area = areaOfTriangle(t);
-    figures.area += area;
-    figures.meanGap += area * gap;
+  const auto stands = [&](const Vec3& place, double weight) {
+    const double gap = std::max(0.0, other.signedDistance(place));
+    weights += weight;
+    figures.meanGap += weight * gap;
     figures.maxGap = std::max(figures.maxGap, gap);
+  };
+  for (const int t : held.triangles) {
+    const auto& c = mesh.triangles[t];
+    const double area = areaOfTriangle(t);
+    figures.area += area;
+    if (!coupling.byNodes()) stands((mesh.vertices[c[0]] + mesh.vertices[c[1]] + mesh.vertices[c[2]]) / 3, area);
   }
-  figures.meanGap /= figures.area;
+  if (coupling.byNodes())
+    for (const Vec3& anchor : figures.anchors_W) stands(anchor, 1);
+  figures.meanGap /= weights;
   figures.coverage = figures.area / whole;
   const std::vector<int> islands = islandsOfParts(joint, fixedParts);
   figures.island =
       std::max(islands[findPart(joint, coupling.partA)], islands[findPart(joint, coupling.partB)]);
   return figures;
+}
+
+double suggestedNodeStiffness(const Joint& joint, const std::string& partA, const std::string& partB) {
+  const int a = findPart(joint, partA);
+  const double cell = a < 0 ? 0 : cellEdgeOf(joint.parts[a]);
+  return suggestedStiffness(joint, partA, partB) * cell * cell;
 }
 
 double suggestedStiffness(const Joint& joint, const std::string& partA, const std::string& partB) {

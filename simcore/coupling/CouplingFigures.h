@@ -10,10 +10,10 @@ namespace glenoid {
 /// What an author wants to know of a coupling before it is run; all at rest.
 struct CouplingFigures {
   int springs = 0;
-  double area = 0;       ///< of the region, m²
-  double coverage = 0;   ///< share of part A's surface that the region takes, 0…1
+  double area = 0;       ///< of what it holds of part A's surface (heldSurface), m²; may be 0 at nodes
+  double coverage = 0;   ///< share of part A's surface that this is, 0…1
   double stiffness = 0;  ///< of all springs together, N/m
-  /// How far the region's triangle centres lie off part B's visual surface, m; 0 inside it. The springs
+  /// How far the region's triangle centres, or the nodes, lie off part B's visual surface, m; 0 inside it. The springs
   /// themselves have no length at rest: each end takes the other's place, and what stands off moves with B as
   /// if glued to it.
   double meanGap = 0, maxGap = 0;
@@ -28,6 +28,9 @@ Result<CouplingFigures> couplingFigures(const Joint& joint, int coupling,
 
 /// Coupling island of each part, −1: fixed.
 std::vector<int> islandsOfParts(const Joint& joint, const std::vector<std::string>& fixedParts);
+
+/// A stiffness for each node to begin with, N/m: the one below over the face of a cell of part A.
+double suggestedNodeStiffness(const Joint& joint, const std::string& partA, const std::string& partB);
 
 /// A stiffness per area to begin with, N/m per m²: Young's modulus of the softer tissue over the thickness
 /// that the bond stands for, which is a cell of the soft part (the finer of two), or 5 mm between rigid

@@ -22,12 +22,13 @@ struct CouplingSpring {
 struct CoupledPart {
   const Part* part = nullptr;
   Vec3 centre = Vec3::Zero();   ///< rigid: origin of the body frame at rest, m
+  const TetMesh* authored = nullptr;  ///< soft: the mesh whose nodes couplings number, where `part` runs on another; null: its own
 };
 
-/// Springs of one coupling, derived from its region at rest: one at each integration point of the region (see
-/// regionAnchors), embedded in a cell or on the rigid body, on both sides. Σ k = stiffnessPerArea × area, and the
-/// springs' moments about any axis are stiffnessPerArea × the area's, whatever cells and triangles there are.
-/// Fails with UnknownId, or with TooFewSprings where the region has no area or is a line.
+/// Springs of one coupling at rest, on both sides embedded in a cell or on the rigid body. Over a region: one at each
+/// integration point (see regionAnchors); Σ k = stiffnessPerArea × area, and the springs' moments about any axis are
+/// stiffnessPerArea × the area's, whatever cells and triangles there are. At nodes: one at each, of stiffnessPerNode.
+/// Fails as couplingAnchors does.
 Result<std::vector<CouplingSpring>> deriveSprings(const Joint& joint, int coupling,
                                                   const std::vector<CoupledPart>& parts);
 

@@ -36,7 +36,7 @@ std::vector<int> carriers(const std::vector<CouplingSpring>& springs, VertexBind
 
 class Bonding {
  public:
-  Bonding(const Joint& joint, ExportMesh mesh, int only) : m_joint(joint), m_mesh(mesh), m_only(only) {}
+  Bonding(const Joint& joint, ExportMesh mesh, const Joint& authored, int only) : m_joint(joint), m_mesh(mesh), m_authored(authored), m_only(only) {}
 
   Result<Bonds> make(bool bones) {
     long next = 1;
@@ -47,7 +47,7 @@ class Bonding {
       const bool written = m_only < 0 || m_only == static_cast<int>(p);
       if (written && part.kind == PartKind::Soft) next += static_cast<long>(part.volume->nodes.size());
       if (written && part.kind == PartKind::Rigid && bones) next += static_cast<long>(part.collision->vertices.size());
-      parts.push_back({&part, Vec3::Zero()});
+      parts.push_back({&part, Vec3::Zero(), numberedMesh(m_authored, part.id)});
     }
     for (std::size_t c = 0; c < m_joint.couplings.size(); ++c)
       if (const auto done = bondOne(static_cast<int>(c), parts); !done) return done.error();
@@ -104,6 +104,7 @@ class Bonding {
 
   const Joint& m_joint;
   ExportMesh m_mesh;
+  const Joint& m_authored;
   int m_only;
   std::set<long> m_parents;
   Bonds m_made;
@@ -111,6 +112,8 @@ class Bonding {
 
 }  // namespace
 
-Result<Bonds> bondsOf(const Joint& joint, ExportMesh mesh, bool bones, int only) { return Bonding(joint, mesh, only).make(bones); }
+Result<Bonds> bondsOf(const Joint& joint, ExportMesh mesh, bool bones, const Joint& authored, int only) {
+  return Bonding(joint, mesh, authored, only).make(bones);
+}
 
 }  // namespace glenoid::exporting

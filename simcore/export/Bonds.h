@@ -27,7 +27,7 @@ struct Bonds {
 };
 
 /// Of all couplings, or of those of one soft part (its index; else −1), to which everything else is rigid then. Nodes are those
-/// of the volumes and, with `bones`, of the collision surfaces of rigid parts. Fails as deriveSprings does.
-Result<Bonds> bondsOf(const Joint& joint, ExportMesh mesh, bool bones, int only = -1);
+/// of the volumes and, with `bones`, of the collision surfaces of rigid parts. `authored`: the joint as it was given. Fails as deriveSprings does.
+Result<Bonds> bondsOf(const Joint& joint, ExportMesh mesh, bool bones, const Joint& authored, int only = -1);
 
 }  // namespace glenoid::exporting

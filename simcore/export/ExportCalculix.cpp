@@ -44,10 +44,10 @@ std::string oneLine(std::string text) {
 /// Nodes and elements are numbered through the whole file, from 1, part by part; points of reference of rigid ends are the last.
 class CalculixDeck {
  public:
-  CalculixDeck(const Joint& joint, ExportMesh mesh, int only) : m_joint(joint), m_mesh(mesh), m_only(only) {}
+  CalculixDeck(const Joint& joint, ExportMesh mesh, int only, const Joint& authored) : m_joint(joint), m_mesh(mesh), m_only(only), m_authored(authored) {}
 
   Result<Written> write() {
-    auto bonds = bondsOf(m_joint, m_mesh, false, m_only);
+    auto bonds = bondsOf(m_joint, m_mesh, false, m_authored, m_only);
     if (!bonds) return bonds.error();
     m_bonds = std::move(*bonds);
     writeHeading();
@@ -291,6 +291,7 @@ class CalculixDeck {
   const Joint& m_joint;
   ExportMesh m_mesh;
   int m_only;
+  const Joint& m_authored;
   Bonds m_bonds;
   std::vector<QuadraticTets> m_fine;  ///< by part; empty where it has no volume here
   std::vector<long> m_first;          ///< by part, in the file
@@ -305,6 +306,8 @@ class CalculixDeck {
 
 }  // namespace
 
-Result<Written> writeCalculix(const Joint& joint, ExportMesh mesh, int only) { return CalculixDeck(joint, mesh, only).write(); }
+Result<Written> writeCalculix(const Joint& joint, ExportMesh mesh, int only, const Joint& authored) {
+  return CalculixDeck(joint, mesh, only, authored).write();
+}
 
 }  // namespace glenoid::exporting

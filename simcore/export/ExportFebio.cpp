@@ -11,10 +11,10 @@ namespace {
 /// Numbers of nodes and elements run through the whole file, from 1, part by part.
 class FebioModel {
  public:
-  FebioModel(const Joint& joint, ExportMesh mesh) : m_joint(joint), m_mesh(mesh) {}
+  FebioModel(const Joint& joint, ExportMesh mesh, const Joint& authored) : m_joint(joint), m_mesh(mesh), m_authored(authored) {}
 
   Result<Written> write() {
-    auto bonds = bondsOf(m_joint, m_mesh, true);
+    auto bonds = bondsOf(m_joint, m_mesh, true, m_authored);
     if (!bonds) return bonds.error();
     m_bonds = std::move(*bonds);
     out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << xmlText(m_joint.name) << ": SI units. -->\n"
@@ -168,6 +168,7 @@ class FebioModel {
 
   const Joint& m_joint;
   ExportMesh m_mesh;
+  const Joint& m_authored;
   Bonds m_bonds;
   std::vector<std::string> m_sets;
   long m_fixed = 0, m_partly = 0, m_severalMaterials = 0;
@@ -176,6 +177,6 @@ class FebioModel {
 
 }  // namespace
 
-Result<Written> writeFebio(const Joint& joint, ExportMesh mesh) { return FebioModel(joint, mesh).write(); }
+Result<Written> writeFebio(const Joint& joint, ExportMesh mesh, const Joint& authored) { return FebioModel(joint, mesh, authored).write(); }
 
 }  // namespace glenoid::exporting

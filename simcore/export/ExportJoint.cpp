@@ -37,6 +37,11 @@ Result<Done> conform(Joint& joint, int only, const ExportWish& wish) {
 
 }  // namespace
 
+const TetMesh* exporting::numberedMesh(const Joint& authored, const std::string& part) {
+  const int index = findPart(authored, part);
+  return index < 0 ? nullptr : authored.parts[index].volume.get();
+}
+
 const char* exportMeshWord(ExportMesh mesh) { return mesh == ExportMesh::Cells ? "cells" : "conforming"; }
 
 ExportMesh usualMesh(ExportFormat format) { return format == ExportFormat::Inp ? ExportMesh::Conforming : ExportMesh::Cells; }
@@ -70,9 +75,9 @@ Result<ExportReport> exportJoint(const Joint& original, ExportFormat format, con
   switch (format) {
     case ExportFormat::Msh: written = writeMsh(joint, wish.mesh); break;
     case ExportFormat::Vtu: written = writeVtu(joint, wish.mesh); break;
-    case ExportFormat::Scn: written = writeSofa(joint, wish.mesh); break;
-    case ExportFormat::Feb: written = writeFebio(joint, wish.mesh); break;
-    case ExportFormat::Inp: written = writeCalculix(whole, wish.mesh, index); break;
+    case ExportFormat::Scn: written = writeSofa(joint, wish.mesh, original); break;
+    case ExportFormat::Feb: written = writeFebio(joint, wish.mesh, original); break;
+    case ExportFormat::Inp: written = writeCalculix(whole, wish.mesh, index, original); break;
     case ExportFormat::Glb: written = writeGltf(joint); break;
   }
   if (!written) return written.error();

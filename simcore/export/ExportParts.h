@@ -49,13 +49,16 @@ PartTissue tissueOf(const Joint& joint, const Part& part, ExportMesh mesh);
 /// Soft parts in the joint's order.
 std::vector<const Part*> softParts(const Joint& joint);
 
-// Of a joint whose volumes are already those that `mesh` says.
+/// Volume of a part of the joint as it was given, whose nodes couplings number; null where it has none.
+const TetMesh* numberedMesh(const Joint& authored, const std::string& part);
+
+// Of a joint whose volumes are already those that `mesh` says; `authored`: as it was given.
 Result<Written> writeMsh(const Joint& joint, ExportMesh mesh);
 Result<Written> writeVtu(const Joint& joint, ExportMesh mesh);
-Result<Written> writeSofa(const Joint& joint, ExportMesh mesh);
-Result<Written> writeFebio(const Joint& joint, ExportMesh mesh);
+Result<Written> writeSofa(const Joint& joint, ExportMesh mesh, const Joint& authored);
+Result<Written> writeFebio(const Joint& joint, ExportMesh mesh, const Joint& authored);
 Result<Written> writeGltf(const Joint& joint);
 /// `only`: index of the one soft part that is written, else −1. Then what it is bonded to is known but left out.
-Result<Written> writeCalculix(const Joint& joint, ExportMesh mesh, int only);
+Result<Written> writeCalculix(const Joint& joint, ExportMesh mesh, int only, const Joint& authored);
 
 }  // namespace glenoid::exporting

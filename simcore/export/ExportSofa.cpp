@@ -32,7 +32,7 @@ struct Body {
 
 class SofaScene {
  public:
-  SofaScene(const Joint& joint, ExportMesh mesh) : m_joint(joint), m_mesh(mesh) {}
+  SofaScene(const Joint& joint, ExportMesh mesh, const Joint& authored) : m_joint(joint), m_mesh(mesh), m_authored(authored) {}
 
   Result<Written> write() {
     if (const auto made = makeBodies(); !made) return made.error();
@@ -90,7 +90,7 @@ class SofaScene {
 
   Result<Done> makeSprings() {
     std::vector<CoupledPart> parts;
-    for (const Body& body : m_bodies) parts.push_back({body.part, body.centre});
+    for (const Body& body : m_bodies) parts.push_back({body.part, body.centre, numberedMesh(m_authored, body.part->id)});
     for (std::size_t c = 0; c < m_joint.couplings.size(); ++c) {
       const auto springs = deriveSprings(m_joint, static_cast<int>(c), parts);
       if (!springs) return springs.error();
@@ -219,6 +219,7 @@ class SofaScene {
 
   const Joint& m_joint;
   ExportMesh m_mesh;
+  const Joint& m_authored;
   std::vector<Body> m_bodies;
   std::string m_springs;
   long m_fixed = 0;
@@ -227,6 +228,6 @@ class SofaScene {
 
 }  // namespace
 
-Result<Written> writeSofa(const Joint& joint, ExportMesh mesh) { return SofaScene(joint, mesh).write(); }
+Result<Written> writeSofa(const Joint& joint, ExportMesh mesh, const Joint& authored) { return SofaScene(joint, mesh, authored).write(); }
 
 }  // namespace glenoid::exporting

@@ -182,7 +182,9 @@ Result<RunResult> runScenario(std::shared_ptr<const Model> model, const RunOptio
   if (stopped) report.notices.push_back(*stopped);
   if (collision)
     for (const Notice& deep : collision->tooDeep()) report.notices.push_back(deep);
-  if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper);
+  const auto& couplings = model->joint.couplings;
+  const bool regions = couplings.empty() || !std::all_of(couplings.begin(), couplings.end(), [](const Coupling& coupling) { return coupling.byNodes(); });
+  if (report.paper) report.paper->departures = paperDepartures(options.stepper.paper, regions);
   if (pacer) report.pace = pacer->report();
   if (haptics) {
     report.haptic = haptics->finish(options.compareProgress);

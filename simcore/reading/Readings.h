@@ -48,7 +48,7 @@ struct Wrench {
   Vec3 point_W = Vec3::Zero(), force_W = Vec3::Zero(), torque_W = Vec3::Zero();
 };
 
-/// What the springs of a coupling do to part a, about the mean of their ends on a by stiffness: the region's centroid as the
+/// What the springs of a coupling do to part a, about the mean of their ends on a by stiffness: the centroid of the region or nodes as the
 /// part carries it. On b acts the opposite.
 struct CouplingReading {
   std::string id, a, b;

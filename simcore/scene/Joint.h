@@ -11,16 +11,23 @@
 
 namespace glenoid {
 
-/// Zero-length springs between part `a`, over one of its regions, and part `b`. Springs are derived when a
-/// scenario is compiled, so the coupling survives another cell size and its total stiffness does not depend
-/// on the mesh: total k = stiffnessPerArea × area of the region at rest.
+/// Zero-length springs between parts `a` and `b`, by one of two ways.
+/// Over a region of A: springs are derived when a scenario is compiled, so the coupling survives another cell size and
+/// its total stiffness does not depend on the mesh: total k = stiffnessPerArea × area of the region at rest.
+/// At nodes of A's cells that somebody picked, as published (paper §4.2): one spring at each, total k =
+/// stiffnessPerNode × their number. A must be soft. Their numbers mean nothing in other cells; whoever makes those
+/// carries them over (coupling/CarryNodes.h).
+/// On B a spring ends at the same place at rest: of a bone, or of the tetrahedron that encloses it.
 struct Coupling {
   std::string id;                ///< slug, unique in the joint
   std::string partA, partB;      ///< ids
-  std::string regionA;           ///< region of part A
-  double stiffnessPerArea = 0;   ///< N/m per m², > 0
+  std::string regionA;           ///< region of part A; empty: by nodes
+  double stiffnessPerArea = 0;   ///< N/m per m², > 0; over a region
   double damping = 0;            ///< s: spring damping coefficient per stiffness (c = damping · k)
   std::string reason;            ///< why the two are joined, a sentence for people; may be empty
+  std::vector<int> nodesA = {};  ///< of part A's volume, each once; empty: over the region
+  double stiffnessPerNode = 0;   ///< N/m of each spring, > 0; at nodes
+  bool byNodes() const { return !nodesA.empty(); }
   bool operator==(const Coupling&) const = default;
 };
 

@@ -77,6 +77,27 @@ Result<Done> checkPair(const Joint& joint, const std::string& partA, const std::
   return Done{};
 }
 
+/// A coupling holds over a region or at nodes of a soft part, with the stiffness that goes with it.
+Result<Done> checkHold(const Joint& joint, const Coupling& coupling, const At& at) {
+  const Part& a = joint.parts[findPart(joint, coupling.partA)];
+  const auto missing = [&](const char* member) { return at.fail(Fault::SchemaMismatch, {"member \"" + std::string(member) + "\" is missing"}); };
+  if (!coupling.byNodes()) {
+    if (coupling.regionA.empty()) return at.fail(Fault::BadNodes, {"neither"});
+    if (!findRegion(a, coupling.regionA)) return at.in("regionA").fail(Fault::UnknownId, {coupling.regionA, "region"});
+    if (coupling.stiffnessPerNode != 0) return at.in("stiffnessPerNode").fail(Fault::BadNodes, {"unit"});
+    if (!(coupling.stiffnessPerArea > 0)) return missing("stiffnessPerArea");
+    return Done{};
+  }
+  if (!coupling.regionA.empty()) return at.in("nodesA").fail(Fault::BadNodes, {"both"});
+  if (a.kind == PartKind::Rigid) return at.in("nodesA").fail(Fault::BadNodes, {"rigid", coupling.partA});
+  if (coupling.stiffnessPerArea != 0) return at.in("stiffnessPerArea").fail(Fault::BadNodes, {"unit"});
+  if (!(coupling.stiffnessPerNode > 0)) return missing("stiffnessPerNode");
+  std::set<int> seen;
+  for (std::size_t i = 0; i < coupling.nodesA.size(); ++i)
+    if (!seen.insert(coupling.nodesA[i]).second) return at.in("nodesA", i).fail(Fault::BadNodes, {"twice", std::to_string(coupling.nodesA[i])});
+  return Done{};
+}
+
 /// The sides of a bursa name parts, and visual regions of them.
 Result<Done> checkSides(const Joint& joint, const std::vector<BursaSide>& sides, const At& at, const char* member) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
@@ -161,6 +182,16 @@ Result<Done> checkRegionRange(const Part& part, const Region& region, const At& 
   return Done{};
 }
 
+/// Picked nodes are there.
+Result<Done> checkNodeRange(const Joint& joint, const Coupling& coupling, const At& at) {
+  if (!coupling.byNodes()) return Done{};
+  const auto size = static_cast<int>(joint.parts[findPart(joint, coupling.partA)].volume->nodes.size());
+  for (std::size_t i = 0; i < coupling.nodesA.size(); ++i)
+    if (const int node = coupling.nodesA[i]; node < 0 || node >= size)
+      return at.in("nodesA", i).fail(Fault::BadNodes, {"outside", std::to_string(node), std::to_string(size - 1)});
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> checkValues(const Joint& joint, const std::string& file) {
@@ -182,8 +213,7 @@ Result<Done> checkValues(const Joint& joint, const std::string& file) {
     const Coupling& coupling = joint.couplings[i];
     const At at = root.in("couplings", i).of(coupling.id);
     if (const auto pair = checkPair(joint, coupling.partA, coupling.partB, at); !pair) return pair;
-    if (!findRegion(joint.parts[findPart(joint, coupling.partA)], coupling.regionA))
-      return at.in("regionA").fail(Fault::UnknownId, {coupling.regionA, "region"});
+    if (const auto hold = checkHold(joint, coupling, at); !hold) return hold;
   }
   for (std::size_t i = 0; i < joint.exclusions.size(); ++i) {
     const Exclusion& exclusion = joint.exclusions[i];
@@ -214,6 +244,8 @@ Result<Done> checkMeshes(const Joint& joint, const std::string& file) {
     for (std::size_t r = 0; r < part.regions.size(); ++r)
       if (const auto good = checkRegionRange(part, part.regions[r], at.in("regions", r)); !good) return good;
   }
+  for (std::size_t i = 0; i < joint.couplings.size(); ++i)
+    if (const auto good = checkNodeRange(joint, joint.couplings[i], At{file, {}, {}}.in("couplings", i).of(joint.couplings[i].id)); !good) return good;
   for (std::size_t i = 0; i < joint.cages.size(); ++i)
     if (!joint.parts[findPart(joint, joint.cages[i].part)].volume)
       return At{file, {}, {}}.in("cages", i).of(joint.cages[i].id).in("part").fail(Fault::BadReference, {joint.cages[i].part});

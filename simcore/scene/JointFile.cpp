@@ -435,6 +435,13 @@ std::string dentBasis(const Joint& joint, const Part& from) {
     Coupling held = coupling;
     held.damping = 0;
     only.couplings.push_back(held);
+    // Numbers of nodes say nothing without their places.
+    const int a = coupling.byNodes() ? findPart(joint, coupling.partA) : -1;
+    if (a < 0) continue;
+    Part picked;
+    picked.id = coupling.partA;
+    picked.volume = joint.parts[a].volume;
+    only.parts.push_back(std::move(picked));
   }
   only.parts.push_back(std::move(part));
   return jointHash(only);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "simcore/mesh/TrianglePatch.h"
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/RegionNear.h"
 
 namespace glenoid {
@@ -29,11 +30,10 @@ std::vector<ExclusionProposal> proposeExclusions(const Joint& joint, const Exclu
   std::map<std::pair<int, int>, std::map<Surface, std::set<int>>> bonds;
   for (const Coupling& coupling : joint.couplings) {
     const int a = findPart(joint, coupling.partA), b = findPart(joint, coupling.partB);
-    if (a < 0 || b < 0 || a == b) continue;
-    const Region* region = findRegion(joint.parts[a], coupling.regionA);
-    if (!region || !meshOf(joint, {a, region->surface})) continue;
-    const std::vector<int> triangles = trianglesOf(*region);
-    bonds[std::minmax(a, b)][{a, region->surface}].insert(triangles.begin(), triangles.end());
+    if (!hasHold(joint, coupling) || !joint.parts[a].visual) continue;
+    const HeldSurface held = heldSurface(joint.parts[a], coupling);
+    if (held.triangles.empty()) continue;
+    bonds[std::minmax(a, b)][{a, held.surface}].insert(held.triangles.begin(), held.triangles.end());
   }
   std::vector<ExclusionProposal> proposals;
   for (const auto& [pair, sides] : bonds) {

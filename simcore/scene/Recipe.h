@@ -39,6 +39,16 @@ struct NearCoupling {
   double radius = 0;     ///< m; 0: no such limit
 };
 
+/// A coupling whose nodes are found on the cells of part A, once they are cut: those that lie in what is given of `within`
+/// and the ball, or the nearest one to each point.
+struct NodeCoupling {
+  Coupling coupling;             ///< without nodes
+  std::vector<Vec3> points_W;    ///< m; each node within half the diagonal of a cell. Not empty: neither of the others
+  std::optional<double> within;  ///< m, ≥ 0: this near to part B's visual surface, or inside it
+  Vec3 centre_W = Vec3::Zero();
+  double radius = 0;             ///< m, of the ball; 0: none
+};
+
 /// How the start is freed of intersections by cages (paper §4.3).
 struct StartWishes {
   double clearance = 1e-3;   ///< m kept between collision surfaces, > 0
@@ -56,6 +66,7 @@ struct JointRecipe {
   std::vector<PartRecipe> parts;
   std::vector<Coupling> couplings;
   std::vector<NearCoupling> nearCouplings;  ///< come after the others
+  std::vector<NodeCoupling> nodeCouplings;  ///< come after these
   std::vector<Exclusion> exclusions;
   std::vector<Bursa> bursae;
   Provenance provenance;

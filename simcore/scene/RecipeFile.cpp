@@ -44,6 +44,17 @@ NearCoupling toNearCoupling(const JsonValue& json) {
   return near;
 }
 
+NodeCoupling toNodeCoupling(const JsonValue& json) {
+  NodeCoupling wish;
+  wish.coupling = toCoupling(json);
+  const JsonValue& nodes = json["nodes"];
+  wish.points_W = vectorOf(nodes, [](const JsonValue& x) { return toVec3(x); });
+  if (const JsonValue* within = nodes.find("within")) wish.within = within->number();
+  wish.centre_W = toVec3(nodes["ball"]["centre"]);
+  wish.radius = nodes["ball"]["radius"].number();
+  return wish;
+}
+
 StartWishes toStart(const JsonValue& json) {
   StartWishes start;
   start.clearance = json["clearance"].number(start.clearance);
@@ -63,7 +74,8 @@ JointRecipe toRecipe(const JsonValue& json) {
   recipe.materials = vectorOf(json["materials"], toMaterial);
   recipe.parts = vectorOf(json["parts"], toPartRecipe);
   for (const JsonValue& coupling : json["couplings"].items()) {
-    if (coupling.find("within")) recipe.nearCouplings.push_back(toNearCoupling(coupling));
+    if (coupling.find("nodes")) recipe.nodeCouplings.push_back(toNodeCoupling(coupling));
+    else if (coupling.find("within")) recipe.nearCouplings.push_back(toNearCoupling(coupling));
     else recipe.couplings.push_back(toCoupling(coupling));
   }
   recipe.exclusions = vectorOf(json["exclusions"], toExclusion);
@@ -94,8 +106,9 @@ Joint withoutMeshes(const JointRecipe& recipe, const JsonValue& json) {
     part.landmarks = from.landmarks;
     joint.parts.push_back(std::move(part));
   }
-  for (std::size_t i = 0; i < joint.couplings.size(); ++i) {  // one by distance is judged as if its region were there
+  for (std::size_t i = 0; i < joint.couplings.size(); ++i) {  // what will be found is judged as if it were there
     Coupling& coupling = joint.couplings[i];
+    if (json["couplings"][i].find("nodes")) coupling.nodesA = {0};
     if (!json["couplings"][i].find("within")) continue;
     if (coupling.regionA.empty()) coupling.regionA = coupling.id;
     const int part = findPart(joint, coupling.partA);
@@ -149,7 +162,11 @@ Result<JointRecipe> loadRecipe(const std::string& path, const std::string& meshe
   if (!json) return json.error();
   if (const auto good = checkIds(*json, "", path); !good) return good.error();
   JointRecipe recipe = toRecipe(*json);
-  if (const auto good = joint_check::checkValues(withoutMeshes(recipe, *json), path); !good) return good.error();
+  if (const auto good = joint_check::checkValues(withoutMeshes(recipe, *json), path); !good) {
+    Error error = good.error();
+    if (error.place.pointer.ends_with("/nodesA")) error.place.pointer.pop_back();  // a recipe says where, not which
+    return error;
+  }
   RecipeSurfaces surfaces(meshes, (*json)["source"]);
   for (std::size_t i = 0; i < recipe.parts.size(); ++i) {
     PartRecipe& part = recipe.parts[i];

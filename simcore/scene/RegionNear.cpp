@@ -7,22 +7,27 @@
 
 namespace glenoid {
 
-std::vector<int> trianglesNear(const TriMesh& surface, const TriangleTree& other, double distance) {
+std::vector<int> pointsNear(std::span<const Vec3> points_W, const TriangleTree& other, double distance) {
   std::vector<int> near;
   const Box3 box = boundsOf(other.mesh());
   if (box.isEmpty()) return near;
   // The tree answers what is nearer than its reach; "within" counts what is as far.
   const double reach =
       distance * (1 + 4 * std::numeric_limits<double>::epsilon()) + std::numeric_limits<double>::min();
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto& corners = surface.triangles[t];
-    const Vec3 centre =
-        (surface.vertices[corners[0]] + surface.vertices[corners[1]] + surface.vertices[corners[2]]) / 3;
-    if (box.squaredExteriorDistance(centre) > reach * reach) continue;
-    if (other.closest(centre, reach).triangle >= 0 || (box.contains(centre) && other.inside(centre)))
-      near.push_back(static_cast<int>(t));
+  for (std::size_t i = 0; i < points_W.size(); ++i) {
+    const Vec3& point = points_W[i];
+    if (box.squaredExteriorDistance(point) > reach * reach) continue;
+    if (other.closest(point, reach).triangle >= 0 || (box.contains(point) && other.inside(point)))
+      near.push_back(static_cast<int>(i));
   }
   return near;
+}
+
+std::vector<int> trianglesNear(const TriMesh& surface, const TriangleTree& other, double distance) {
+  std::vector<Vec3> centres;
+  for (const auto& corners : surface.triangles)
+    centres.push_back((surface.vertices[corners[0]] + surface.vertices[corners[1]] + surface.vertices[corners[2]]) / 3);
+  return pointsNear(centres, other, distance);
 }
 
 std::vector<int> trianglesNear(const TriMesh& surface, const TriMesh& other, double distance) {

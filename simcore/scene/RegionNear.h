@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <span>
 #include <vector>
 
 #include "simcore/mesh/TriMesh.h"
@@ -16,5 +17,8 @@ std::vector<int> trianglesNear(const TriMesh& surface, const TriMesh& other, dou
 
 /// The same with the tree of the other surface at hand, for asking again and again with another distance.
 std::vector<int> trianglesNear(const TriMesh& surface, const TriangleTree& other, double distance);
+
+/// The same of points: which of them are near or inside, ascending.
+std::vector<int> pointsNear(std::span<const Vec3> points_W, const TriangleTree& other, double distance);
 
 }  // namespace glenoid

@@ -151,9 +151,11 @@ JsonValue fromCoupling(const Coupling& coupling) {
   JsonValue json = JsonValue::object();
   json.set("id", coupling.id);
   json.set("partA", coupling.partA);
-  json.set("regionA", coupling.regionA);
+  if (!coupling.regionA.empty()) json.set("regionA", coupling.regionA);
+  if (coupling.byNodes()) json.set("nodesA", listOf(coupling.nodesA, [](int node) { return JsonValue(node); }));
   json.set("partB", coupling.partB);
-  json.set("stiffnessPerArea", coupling.stiffnessPerArea);
+  if (!coupling.byNodes() || coupling.stiffnessPerArea != 0) json.set("stiffnessPerArea", coupling.stiffnessPerArea);
+  if (coupling.byNodes() || coupling.stiffnessPerNode != 0) json.set("stiffnessPerNode", coupling.stiffnessPerNode);
   json.set("damping", coupling.damping);
   setText(json, "reason", coupling.reason);
   return json;
@@ -165,7 +167,9 @@ Coupling toCoupling(const JsonValue& json) {
   coupling.partA = json["partA"].text();
   coupling.partB = json["partB"].text();
   coupling.regionA = json["regionA"].text();
+  coupling.nodesA = vectorOf(json["nodesA"], [](const JsonValue& node) { return static_cast<int>(node.integer()); });
   coupling.stiffnessPerArea = json["stiffnessPerArea"].number();
+  coupling.stiffnessPerNode = json["stiffnessPerNode"].number();
   coupling.damping = json["damping"].number(coupling.damping);
   coupling.reason = json["reason"].text();
   return coupling;

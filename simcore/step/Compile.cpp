@@ -216,7 +216,7 @@ Result<std::shared_ptr<const Model>> compileModel(const Joint& joint, const Scen
   std::vector<CouplingSpring> springs;
   if (model->effectOn("couplings")) {
     std::vector<CoupledPart> parts;
-    for (std::size_t i = 0; i < joint.parts.size(); ++i) parts.push_back({&model->joint.parts[i], centres[i]});
+    for (std::size_t i = 0; i < joint.parts.size(); ++i) parts.push_back({&model->joint.parts[i], centres[i], model->objects[i].authored.get()});
     for (std::size_t c = 0; c < joint.couplings.size(); ++c) {
       Result<std::vector<CouplingSpring>> derived = deriveSprings(model->joint, static_cast<int>(c), parts);
       if (!derived) return derived.error();

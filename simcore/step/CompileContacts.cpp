@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "simcore/scene/CouplingHold.h"
 #include "simcore/scene/TriangleUse.h"
 #include "simcore/spatial/TriangleTree.h"
 #include "simcore/step/CompileObjects.h"
@@ -38,17 +39,6 @@ void markNear(const TriMesh& surface, const TriMesh& region, std::vector<char>& 
   // A triangle much larger than the region holds it inside, with every sample far away.
   for (const Vec3& vertex : region.vertices)
     if (const auto closest = surfaceTree.closest(vertex); closest.distance < kCouplingMargin) skip[closest.triangle] = 1;
-}
-
-TriMesh regionMesh(const Part& part, const Region& region) {
-  const TriMesh& source = region.surface == SurfaceKind::Visual ? *part.visual : *part.collision;
-  TriMesh mesh;
-  for (const int triangle : trianglesOf(region)) {
-    const int first = static_cast<int>(mesh.vertices.size());
-    for (const int vertex : source.triangles[triangle]) mesh.vertices.push_back(source.vertices[vertex]);
-    mesh.triangles.push_back({first, first + 1, first + 2});
-  }
-  return mesh;
 }
 
 /// Coulomb's coefficient at each collision vertex of a part: that of the material at the nearest visual triangle.
@@ -136,10 +126,10 @@ void compileContacts(Model& model) {
         const bool forward = coupling.partA == objectA.id && coupling.partB == objectB.id;
         const bool backward = coupling.partA == objectB.id && coupling.partB == objectA.id;
         if (objectA.tool || objectB.tool || (!forward && !backward)) continue;
-        const Part& owner = joint.parts[findPart(joint, coupling.partA)];
-        const Region* region = findRegion(owner, coupling.regionA);
-        if (!region || region->triangles.empty()) continue;
-        const TriMesh mesh = regionMesh(owner, *region);
+        const int owner = findPart(joint, coupling.partA);
+        if (!coupling.byNodes() && !findRegion(joint.parts[owner], coupling.regionA)) continue;
+        const TriMesh mesh = heldMesh(joint.parts[owner], heldSurface(joint.parts[owner], coupling, model.objects[owner].authored.get()));
+        if (mesh.triangles.empty()) continue;
         markNear(*objectA.collision.mesh, mesh, pair.skipTriangleA);
         markNear(*objectB.collision.mesh, mesh, pair.skipTriangleB);
       }

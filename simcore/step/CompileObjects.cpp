@@ -109,6 +109,7 @@ Result<Done> compileObjects(Model& model, StepModel& inside, std::vector<Vec3>& 
         return Error{Fault::Unusable, {"", "", part.id, {}}, {"volume"}, "a soft part without tetrahedra"};
       Result<std::vector<Vec3>> nodes = startNodes(joint, part);
       if (!nodes) return nodes.error();
+      object.authored = part.volume;
       object.authoredTets = static_cast<int>(part.volume->tets.size());
       std::optional<CellMesh> cells;
       const bool wantsCells = scenario.elements.value_or(part.elements) == Elements::Cells && scenario.profile != Profile::Paper;

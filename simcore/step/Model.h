@@ -26,6 +26,7 @@ struct SceneObject {
   ObjectLayout layout;
   SurfaceBinding visual, collision;
   std::shared_ptr<const TetMesh> volume;  ///< soft only; node i of the state is node i of this mesh
+  std::shared_ptr<const TetMesh> authored;  ///< soft only: of the joint as it was given, whose nodes couplings number
   bool cells = false;           ///< soft only: elements are whole cells, five tetrahedra of the volume each
   int authoredTets = 0;         ///< soft only: of the part as it was given; whole cells have more
   int elements = 0;             ///< soft only: how many rotations the state has of it

@@ -21,11 +21,12 @@ bool* paperSetting(PaperSettings& settings, const std::string& word) {
   return nullptr;
 }
 
-std::vector<std::string> paperDepartures(const PaperSettings& settings) {
+std::vector<std::string> paperDepartures(const PaperSettings& settings, bool regions) {
   std::vector<std::string> departures;
   for (const Row& row : kRows)
     if (settings.*row.setting) departures.push_back(row.word);
-  for (const char* always : {"explicit-b", "geometric-left-out", "springs-in-regions"}) departures.push_back(always);
+  for (const char* always : {"explicit-b", "geometric-left-out"}) departures.push_back(always);
+  if (regions) departures.push_back("springs-in-regions");
   return departures;
 }
 

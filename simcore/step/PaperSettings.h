@@ -43,7 +43,8 @@ bool* paperSetting(PaperSettings& settings, const std::string& word);
 /// Words of all departures of a `paper` step from the publication: those that are on, then those that have no switch.
 ///   "explicit-b"           B = J D⁻¹ Jᵀ is kept as a matrix; the publication visits object by object. The same sums.
 ///   "geometric-left-out"   of ∂F/∂q what comes of turning levers and rotations, which may make A indefinite
-///   "springs-in-regions"   couplings are springs at integration points of a region, as in all profiles, not at nodes
-std::vector<std::string> paperDepartures(const PaperSettings& settings);
+///   "springs-in-regions"   couplings are springs at integration points of a region, as in all profiles, not at nodes; not
+///                          where `regions` is false: then all hold at nodes
+std::vector<std::string> paperDepartures(const PaperSettings& settings, bool regions = true);
 
 }  // namespace glenoid

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <map>
 
+#include "simcore/coupling/CarryNodes.h"
 #include "simcore/embed/Bind.h"
 #include "simcore/embed/Cells.h"
 #include "simcore/mesh/Simplify.h"
+#include "simcore/scene/CouplingHold.h"
 
 namespace glenoid {
 namespace {
@@ -47,14 +49,18 @@ Error inPart(Error error, const Part& part) {
   return error;
 }
 
-/// Finer cells for a soft part, along its principal axes; a rigid one has none.
-Result<Done> cutFiner(Part& part, double factor) {
+/// Finer cells for a soft part, along its principal axes, with the nodes that couplings hold; a rigid one has none.
+Result<Done> cutFiner(Joint& joint, std::size_t index, double factor) {
+  Part& part = joint.parts[index];
   if (part.kind == PartKind::Rigid) return Done{};
+  const auto before = part.volume;
+  const double cellBefore = cellEdgeOf(part);
   const double tets = static_cast<double>(part.volume->tets.size()) * factor;
   auto choice = chooseCells(*part.visual, *part.collision, static_cast<int>(std::lround(tets)), GridAxes::Principal);
   if (!choice) return inPart(choice.error(), part);
   part.volume = std::make_shared<TetMesh>(std::move(choice->mesh));
   part.cellSize = choice->cellSize;
+  if (const auto carried = carryNodes(joint, part.id, *before, cellBefore); !carried) return carried.error();
   return Done{};
 }
 
@@ -79,9 +85,9 @@ Result<Joint> refineJoint(const Joint& joint, double factor, double clearance, c
     part.collision = std::move(*collision);
   }
   if (const auto separated = separateCollision(fine, clearance); !separated) return separated.error();
-  for (Part& part : fine.parts) {
-    if (!goOn(part)) return cancelled;
-    if (const auto cut = cutFiner(part, factor); !cut) return cut.error();
+  for (std::size_t i = 0; i < fine.parts.size(); ++i) {
+    if (!goOn(fine.parts[i])) return cancelled;
+    if (const auto cut = cutFiner(fine, i, factor); !cut) return cut.error();
   }
   return fine;
 }
@@ -91,9 +97,9 @@ Result<Joint> refineCells(const Joint& joint, double factor, const BuildProgress
   Joint fine = joint;
   if (factor == 1) return fine;
   double done = 0;
-  for (Part& part : fine.parts) {
-    if (progress && !progress(part.id, done++ / static_cast<double>(fine.parts.size()))) return Error{Fault::Cancelled, {}, {}, "refining cells"};
-    if (const auto cut = cutFiner(part, factor); !cut) return cut.error();
+  for (std::size_t i = 0; i < fine.parts.size(); ++i) {
+    if (progress && !progress(fine.parts[i].id, done++ / static_cast<double>(fine.parts.size()))) return Error{Fault::Cancelled, {}, {}, "refining cells"};
+    if (const auto cut = cutFiner(fine, i, factor); !cut) return cut.error();
   }
   return fine;
 }

@@ -6,12 +6,13 @@
 
 #include "editor/core/AuthorEdits.h"
 #include "simcore/coupling/RegionAnchors.h"
+#include "simcore/mesh/NodePatch.h"
 #include "simcore/mesh/TrianglePatch.h"
 
 namespace glenoid {
 namespace {
 
-constexpr std::array<float, 3> kSelected{1.0f, 0.55f, 0.10f}, kPreview{0.30f, 0.75f, 0.95f};
+constexpr std::array<float, 3> kSelected{1.0f, 0.55f, 0.10f}, kPreview{0.30f, 0.75f, 0.95f}, kNode{0.80f, 0.86f, 0.94f};
 
 }  // namespace
 
@@ -74,59 +75,89 @@ std::shared_ptr<const TriMesh> Authoring::mesh() const {
   return m_picked.surface == SurfaceKind::Visual ? part.visual : part.collision;
 }
 
+std::shared_ptr<const TetMesh> Authoring::cells() const {
+  const int index = findPart(m_document.joint(), m_picked.part);
+  if (index < 0) return nullptr;
+  const Part& part = m_document.joint().parts[index];
+  return part.kind == PartKind::Soft && part.volume && !part.volume->tets.empty() ? part.volume : nullptr;
+}
+
 void Authoring::setTarget(const std::string& part, SurfaceKind surface) {
   if (part == m_picked.part && surface == m_picked.surface) return;
   cancel();
-  set({part, surface, {}});
+  // Nodes do not lie on either surface.
+  set({part, surface, m_picked.picking, {}, part == m_picked.part ? m_picked.nodes : std::vector<int>()});
+}
+
+void Authoring::setPicking(Picking picking) {
+  if (picking == m_picked.picking) return;
+  cancel();
+  Picked other = m_picked;
+  other.picking = picking;
+  set(other);
 }
 
 void Authoring::set(const Picked& picked) {
-  const bool another = picked.part != m_picked.part || picked.surface != m_picked.surface;
+  const bool another = picked.part != m_picked.part || picked.surface != m_picked.surface, otherwise = picked.picking != m_picked.picking;
   m_picked = picked;
   m_mesh = mesh();
-  // A step taken back may speak of a surface that the document has no longer.
-  const int count = m_mesh ? static_cast<int>(m_mesh->triangles.size()) : 0;
+  m_cells = cells();
+  // A step taken back may speak of a surface or of cells that the document has no longer.
+  const int count = m_mesh ? static_cast<int>(m_mesh->triangles.size()) : 0, nodes = m_cells ? static_cast<int>(m_cells->nodes.size()) : 0;
   if (!m_picked.triangles.empty() && m_picked.triangles.back() >= count) m_picked.triangles.clear();
+  if (!m_picked.nodes.empty() && m_picked.nodes.back() >= nodes) m_picked.nodes.clear();
   m_preview.clear();
   refreshNodes();
   if (another) {
     refreshCage();
     emit targetChanged();
   }
+  if (otherwise) emit modeChanged();
   emit selectionChanged();
   emit looksChanged();
+}
+
+void Authoring::push(Picked after, const QString& text) {
+  m_document.undoStack().push(new PickCommand(*this, text, m_picked, std::move(after)));
 }
 
 void Authoring::select(const std::vector<int>& triangles, const QString& text) {
   if (triangles == m_picked.triangles) return;
   Picked after = m_picked;
   after.triangles = triangles;
-  m_document.undoStack().push(new PickCommand(*this, text, m_picked, std::move(after)));
+  push(std::move(after), text);
 }
 
-void Authoring::grow() {
-  if (m_mesh) select(grown(*m_mesh, selected()), tr("Grow the selection"));
+void Authoring::selectNodes(const std::vector<int>& nodes, const QString& text) {
+  if (nodes == m_picked.nodes) return setPicking(Picking::Nodes);
+  Picked after = m_picked;
+  after.picking = Picking::Nodes;
+  after.nodes = nodes;
+  push(std::move(after), text);
 }
 
-void Authoring::shrink() {
-  if (m_mesh) select(shrunk(*m_mesh, selected()), tr("Shrink the selection"));
+template <class OfTriangles, class OfNodes>
+void Authoring::change(OfTriangles&& ofTriangles, OfNodes&& ofNodes, const QString& text) {
+  if (picksNodes() && m_cells) selectNodes(ofNodes(*m_cells, selectedNodes()), text);
+  else if (!picksNodes() && m_mesh) select(ofTriangles(*m_mesh, selected()), text);
 }
 
-void Authoring::selectConnected() {
-  if (m_mesh) select(connected(*m_mesh, selected()), tr("Select what is connected"));
-}
+void Authoring::grow() { change(grown, grownNodes, tr("Grow the selection")); }
 
-void Authoring::invert() {
-  if (m_mesh) select(inverted(*m_mesh, selected()), tr("Invert the selection"));
-}
+void Authoring::shrink() { change(shrunk, shrunkNodes, tr("Shrink the selection")); }
+
+void Authoring::selectConnected() { change(connected, connectedNodes, tr("Select what is connected")); }
+
+void Authoring::invert() { change(inverted, invertedNodes, tr("Invert the selection")); }
 
 void Authoring::clear() {
-  select({}, tr("Select no triangles"));
+  if (picksNodes()) selectNodes({}, tr("Select no nodes"));
+  else select({}, tr("Select no triangles"));
 }
 
-void Authoring::preview(std::vector<int> triangles) {
-  if (triangles == m_preview) return;
-  m_preview = std::move(triangles);
+void Authoring::preview(std::vector<int> items) {
+  if (items == m_preview) return;
+  m_preview = std::move(items);
   emit looksChanged();
 }
 
@@ -136,10 +167,13 @@ void Authoring::showAnchors(std::vector<Vec3> anchors_W) {
 }
 
 void Authoring::onDocumentChanged() {
-  // Indices mean nothing on another surface.
-  if (mesh() != m_mesh) {
+  // Indices mean nothing on another surface, nor in other cells.
+  if (mesh() != m_mesh || cells() != m_cells) {
     cancel();
-    set({m_picked.part, m_picked.surface, {}});
+    Picked left = m_picked;
+    if (mesh() != m_mesh) left.triangles.clear();
+    if (cells() != m_cells) left.nodes.clear();
+    set(left);
   } else {
     refreshNodes();
   }
@@ -203,7 +237,7 @@ void Authoring::refreshNodes() {
   m_nodes_W.clear();
   m_nodesJob.drop();
   const int index = findPart(m_document.joint(), m_picked.part);
-  if (index < 0 || m_picked.triangles.empty()) return;
+  if (index < 0 || m_picked.triangles.empty() || picksNodes()) return;
   const Part& part = m_document.joint().parts[index];
   if (part.kind != PartKind::Soft || !part.volume || part.volume->tets.empty()) return;
   Region region;
@@ -230,14 +264,15 @@ void Authoring::refreshTarget() {
     if (part.id != m_picked.part && soloed && m_display.isVisible(part.id) && m_display.opacity(part.id) >= 1)
       others.push_back(part.visual);
   }
-  m_select.setTarget(m_mesh, std::move(others));
+  if (picksNodes()) m_select.setNodes(m_cells, std::move(others));
+  else m_select.setTarget(m_mesh, std::move(others));
 }
 
 void Authoring::press(const Viewport& viewport, const Pointer& pointer) {
   m_cursor = pointer.at;
   if (m_tool == Tool::Select) {
     refreshTarget();
-    m_select.press(viewport, pointer, m_picked.triangles);
+    m_select.press(viewport, pointer, picksNodes() ? m_picked.nodes : m_picked.triangles);
   } else if (m_tool == Tool::Cage) {
     m_document.endGesture();
     m_cage.press(viewport, pointer);
@@ -267,8 +302,10 @@ void Authoring::release(const Viewport& viewport, const Pointer& pointer) {
     if (done == CageTool::Done::Picked) emit cageChanged();
   }
   if (m_select.busy()) {
-    const std::vector<int> triangles = m_select.release(pointer);
-    select(triangles, tr("Select %n triangle(s)", nullptr, static_cast<int>(triangles.size())));
+    const std::vector<int> items = m_select.release(pointer);
+    const int count = static_cast<int>(items.size());
+    if (picksNodes()) selectNodes(items, tr("Select %n node(s)", nullptr, count));
+    else select(items, tr("Select %n triangle(s)", nullptr, count));
   }
   emit looksChanged();
 }
@@ -319,6 +356,22 @@ const VecX* Authoring::stateFor(const std::shared_ptr<const Model>& model) {
   return &m_state;
 }
 
+/// Nodes as dots: all of them, and larger those that are selected or would be.
+void Authoring::drawDots(Layers& layers) const {
+  if (!m_cells) return;
+  const std::vector<int> selected = m_select.busy() ? m_select.now() : m_picked.nodes;
+  const auto draw = [&](const std::vector<int>& nodes, const std::array<float, 3>& color, float size, float hidden) {
+    Strokes dots;
+    dots.dotPx = size;
+    dots.hiddenStrength = hidden;
+    for (const int node : nodes) dots.dots.push_back({m_cells->nodes[node].cast<float>(), {color[0], color[1], color[2], 1}});
+    if (!dots.dots.empty()) layers.strokes.push_back(std::move(dots));
+  };
+  draw(without(without(usedNodes(*m_cells), selected), m_preview), kNode, 5, 0.25f);
+  draw(without(m_preview, selected), kPreview, 8, 0.6f);
+  draw(selected, kSelected, 8, 0.6f);
+}
+
 void Authoring::decorate(const Model& model, const Viewport& viewport, Layers& layers) const {
   if (m_tool == Tool::None) return;
   if (m_tool == Tool::Select && m_picked.surface == SurfaceKind::Collision) {
@@ -330,14 +383,15 @@ void Authoring::decorate(const Model& model, const Viewport& viewport, Layers& l
     if (object.tool || object.id != m_picked.part) continue;
     // Until the change before is compiled the view shows another surface.
     if ((m_picked.surface == SurfaceKind::Visual ? object.visual : object.collision).mesh != m_mesh) continue;
-    const std::vector<int> triangles = m_select.busy() ? m_select.now() : m_picked.triangles;
+    const std::vector<int> triangles = m_select.busy() && !picksNodes() ? m_select.now() : m_picked.triangles;
     // The tint of a selected part would hide what is picked on it, and where it bends.
     if (i < static_cast<int>(layers.objects.size()))
       layers.objects[i].hovered = layers.objects[i].selected = false;
-    if (m_tool != Tool::Select) continue;
+    if (m_tool != Tool::Select || picksNodes()) continue;
     if (!triangles.empty()) layers.marks.push_back({i, m_picked.surface, triangles, kSelected});
     if (!m_preview.empty()) layers.marks.push_back({i, m_picked.surface, m_preview, kPreview});
   }
+  if (m_tool == Tool::Select && picksNodes()) drawDots(layers);
   Strokes dots;
   dots.dotPx = 6;
   dots.hiddenStrength = 0.45f;

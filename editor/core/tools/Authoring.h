@@ -17,12 +17,14 @@ namespace glenoid {
 
 /// The author's tools in the view: which one has the mouse, what it works on, what it draws over the scene.
 /// While one is active the view shows the joint as it is authored: at rest for picking, since regions and
-/// couplings belong there, or as its cages make it start. Selected triangles lie outside of the document, as
+/// couplings belong there, or as its cages make it start. Selected triangles and nodes lie outside of the document, as
 /// parts that are selected do, but each stroke is a step that undo takes back. GUI thread only.
 class Authoring : public QObject {
   Q_OBJECT
  public:
   enum class Tool { None, Select, Cage };
+  /// What the Select tool picks: triangles of a surface, or nodes of a soft part's cells.
+  enum class Picking { Triangles, Nodes };
 
   /// Both must outlive this.
   Authoring(Document& document, const DisplayState& display, QObject* parent = nullptr);
@@ -41,18 +43,28 @@ class Authoring : public QObject {
   SurfaceKind surface() const { return m_picked.surface; }
   /// Null while the part is unknown.
   std::shared_ptr<const TriMesh> mesh() const;
+  /// The tetrahedra of a soft part whose nodes can be picked; null where there are none.
+  std::shared_ptr<const TetMesh> cells() const;
+  Picking picking() const { return m_picked.picking; }
+  /// Each keeps its own selection.
+  void setPicking(Picking picking);
   const std::vector<int>& selected() const { return m_picked.triangles; }
+  const std::vector<int>& selectedNodes() const { return m_picked.nodes; }
+  /// Whether any of what is being picked is selected.
+  bool anySelected() const { return !(picksNodes() ? m_picked.nodes : m_picked.triangles).empty(); }
   /// Points of a soft part at which springs over the selection would hold, m; they come from a worker a moment after it.
   const std::vector<Vec3>& nodes() const { return m_nodes_W; }
   /// One undo step called `text`; nothing when they are selected already. Triangles ascending.
   void select(const std::vector<int>& triangles, const QString& text);
+  /// The same of nodes, ascending; nodes are what is picked from then on.
+  void selectNodes(const std::vector<int>& nodes, const QString& text);
   void grow();
   void shrink();
   void selectConnected();
   void invert();
   void clear();
-  /// Shown in another colour until the next call: what a button would select.
-  void preview(std::vector<int> triangles);
+  /// Shown in another colour until the next call: what a button would select, of what is being picked.
+  void preview(std::vector<int> items);
   /// Where a coupling holds, shown as dots; m, W.
   void showAnchors(std::vector<Vec3> anchors_W);
 
@@ -93,14 +105,21 @@ class Authoring : public QObject {
   struct Picked {
     std::string part;
     SurfaceKind surface = SurfaceKind::Visual;
-    std::vector<int> triangles;
+    Picking picking = Picking::Triangles;
+    std::vector<int> triangles, nodes;
     bool operator==(const Picked&) const = default;
   };
   class PickCommand;
   void set(const Picked& picked);
+  void push(Picked after, const QString& text);
+  bool picksNodes() const { return m_picked.picking == Picking::Nodes; }
+  /// Another set of what is being picked, by a function of its mesh and the set.
+  template <class OfTriangles, class OfNodes>
+  void change(OfTriangles&& ofTriangles, OfNodes&& ofNodes, const QString& text);
   void onDocumentChanged();
   void refreshTarget();
   void refreshNodes();
+  void drawDots(Layers& layers) const;
   void refreshCage();
 
   Document& m_document;
@@ -109,6 +128,7 @@ class Authoring : public QObject {
   SelectTool m_select;
   Picked m_picked;
   std::shared_ptr<const TriMesh> m_mesh;  ///< that the selection belongs to
+  std::shared_ptr<const TetMesh> m_cells; ///< the same of nodes
   std::vector<int> m_preview;
   std::vector<Vec3> m_nodes_W, m_anchors_W, m_cuts_W;
   CageTool m_cage;

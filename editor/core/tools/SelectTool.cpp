@@ -3,13 +3,26 @@
 
 #include <algorithm>
 
+#include "editor/core/tools/NodeMap.h"
+#include "editor/core/tools/ScreenMap.h"
+
 namespace glenoid {
 
 void SelectTool::setTarget(std::shared_ptr<const TriMesh> surface,
                            std::vector<std::shared_ptr<const TriMesh>> others) {
-  if (surface == m_surface && others == m_others) return;
+  set(std::move(surface), nullptr, std::move(others));
+}
+
+void SelectTool::setNodes(std::shared_ptr<const TetMesh> cells, std::vector<std::shared_ptr<const TriMesh>> others) {
+  set(nullptr, std::move(cells), std::move(others));
+}
+
+void SelectTool::set(std::shared_ptr<const TriMesh> surface, std::shared_ptr<const TetMesh> cells,
+                     std::vector<std::shared_ptr<const TriMesh>> others) {
+  if (surface == m_surface && cells == m_cells && others == m_others) return;
   cancel();
   m_surface = std::move(surface);
+  m_cells = std::move(cells);
   m_others = std::move(others);
   m_map.reset();
 }
@@ -18,9 +31,10 @@ void SelectTool::setRadius(double radius) {
   m_radius = std::clamp(radius, 2.0, 200.0);
 }
 
-const ScreenMap& SelectTool::mapFor(const Viewport& viewport) {
+const PickMap& SelectTool::mapFor(const Viewport& viewport) {
   if (!m_map || !sameViewport(viewport, m_viewport)) {
-    m_map = std::make_unique<ScreenMap>(viewport, *m_surface, m_others);
+    if (m_cells) m_map = std::make_unique<NodeMap>(viewport, *m_cells, m_others);
+    else m_map = std::make_unique<ScreenMap>(viewport, *m_surface, m_others);
     m_viewport = viewport;
   }
   return *m_map;
@@ -28,11 +42,11 @@ const ScreenMap& SelectTool::mapFor(const Viewport& viewport) {
 
 void SelectTool::press(const Viewport& viewport, const Pointer& pointer, const std::vector<int>& selected) {
   cancel();
-  if (!m_surface) return;
-  mapFor(viewport);
+  if (!m_surface && !m_cells) return;
+  const std::size_t count = mapFor(viewport).centres().size();
   m_subtract = pointer.ctrl;
   m_through = pointer.alt;
-  m_flags.assign(m_surface->triangles.size(), 0);
+  m_flags.assign(count, 0);
   if (pointer.shift || pointer.ctrl)
     for (const int t : selected) m_flags[t] = 1;
   m_stroke.emplace(m_mode, pointer.at, m_radius);
@@ -59,12 +73,12 @@ void SelectTool::mark() {
   const char value = m_subtract ? 0 : 1;
   // What is under the cursor, and under its way since the last event: a triangle may be larger than the
   // brush, and its centre alone would miss it.
-  if (stroke.mode() == PickMode::Click || stroke.mode() == PickMode::Brush) {
+  if (stroke.mode() == PickMode::Click || (stroke.mode() == PickMode::Brush && m_map->haveExtent())) {
     const Vec2 way =
         stroke.mode() == PickMode::Brush ? Vec2(stroke.last() - stroke.previous()) : Vec2(Vec2::Zero());
     const int steps = 1 + static_cast<int>(way.norm() / 3);
     for (int i = 0; i < steps; ++i)
-      if (const int t = m_map->triangleAt(stroke.last() - way * i / steps, m_through); t >= 0)
+      if (const int t = m_map->at(stroke.last() - way * i / steps, m_through); t >= 0)
         m_flags[t] = value;
   }
   if (stroke.mode() == PickMode::Click) return;

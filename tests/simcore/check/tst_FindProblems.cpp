@@ -10,6 +10,7 @@
 
 #include "simcore/body/PartMass.h"
 #include "simcore/scene/JointFile.h"
+#include "tests/scenes/NodeScenes.h"
 #include "tests/simcore/check/Faults.h"
 
 namespace glenoid {
@@ -258,6 +259,50 @@ TEST(FindProblems, couplingsThatAreBrokenOrTooSmall) {
   problems = findProblems(joint);
   ASSERT_TRUE(has(problems, ProblemKind::RegionCannotHold)) << listed(problems);
   EXPECT_EQ(problemOf(problems, ProblemKind::RegionCannotHold)->figure, 0) << "no width at all";
+}
+
+TEST(FindProblems, couplingsAtNodesThatAreNotThereOrCannotHold) {
+  Joint joint = soundJoint();
+  const Joint sound = scenes::figure4AtNodes();
+  joint.couplings = sound.couplings;
+  EXPECT_EQ(findProblems(joint).size(), findProblems(soundJoint()).size()) << listed(findProblems(joint));
+  EXPECT_FALSE(has(findProblems(joint), ProblemKind::PartLoose)) << "they hold";
+  joint.couplings[0].nodesA = {0, 3, 27};
+  auto problems = findProblems(joint);
+  ASSERT_TRUE(has(problems, ProblemKind::CouplingBroken)) << listed(problems);
+  EXPECT_EQ(problemOf(problems, ProblemKind::CouplingBroken)->count, 3);
+  joint.couplings[0].nodesA = {0, 3};
+  problems = findProblems(joint);
+  const Problem* problem = problemOf(problems, ProblemKind::NodesCannotHold);
+  ASSERT_NE(problem, nullptr) << listed(problems);
+  EXPECT_EQ(problem->severity, Severity::Error);
+  EXPECT_EQ(problem->coupling, "c12");
+  EXPECT_EQ(problem->count, 2);
+  ASSERT_TRUE(problem->error);
+  EXPECT_EQ(problem->error->arguments, (Arguments{"few", "2"}));
+  joint.couplings[0].nodesA = {0, 3, 6};
+  EXPECT_EQ(problemOf(findProblems(joint), ProblemKind::NodesCannotHold)->error->arguments, (Arguments{"line", "3"}));
+  joint.parts[1].volume = nullptr;
+  problems = findProblems(joint);
+  EXPECT_TRUE(has(problems, ProblemKind::NoVolume));
+  EXPECT_FALSE(has(problems, ProblemKind::CouplingBroken)) << "one sentence for one fault: " << listed(problems);
+}
+
+TEST(FindProblems, aPartThatHangsAtItsNodesIsWeighedFromThem) {
+  // The bar of hangs-and-stretches, held at the nodes of its top instead of over it.
+  Joint joint = scenes::figure4AtNodes();
+  joint.couplings.pop_back();
+  joint.parts.pop_back();
+  Material& tissue = joint.materials[1];
+  // Turned upright in mind: gravity of a scenario along +x pulls away from the left end, 40 mm of it.
+  tissue.youngsModulus = 500;
+  Scenario scenario = scenes::figure4Scenario();
+  scenario.gravity_W = Vec3(9.81, 0, 0);
+  const auto report = ProblemFinder().find(joint, &scenario).value();
+  const Problem* stretched = problemOf(report.problems, ProblemKind::WeightOverstretches);
+  ASSERT_NE(stretched, nullptr) << listed(report.problems);
+  // ρ g L / E at the top is 0.78; the mean over the uppermost tenth of the height is 0.95 of that.
+  EXPECT_NEAR(stretched->figure, 1 + 0.95 * 1000 * 9.81 * 0.04 / 500, 0.02);
 }
 
 TEST(FindProblems, aBondStifferThanTissueIsWarnedOfWithItsFigures) {

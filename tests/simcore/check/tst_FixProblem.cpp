@@ -12,6 +12,7 @@
 #include "simcore/mesh/Isosurface.h"
 #include "simcore/mesh/Simplify.h"
 #include "simcore/scene/JointFile.h"
+#include "tests/scenes/NodeScenes.h"
 #include "tests/simcore/check/Faults.h"
 
 namespace glenoid {
@@ -130,6 +131,25 @@ TEST(FixProblem, couplingsAreRemovedOrTheirRegionsGrown) {
     if (c.id == id) {
       EXPECT_EQ(c.regionA, region + "-grown");
     }
+}
+
+TEST(FixProblem, nodesThatCannotHoldGetThoseAroundThem) {
+  Joint joint = soundJoint();
+  joint.couplings = scenes::figure4AtNodes().couplings;
+  using Nodes = std::vector<int>;
+  for (const Nodes& nodes : {Nodes{0}, Nodes{0, 3}, Nodes{0, 3, 6}}) {
+    joint.couplings[0].nodesA = nodes;
+    joint.couplings[0].stiffnessPerNode = 600 / static_cast<double>(nodes.size());
+    const Joint fixed = fixedJoint(joint, ProblemKind::NodesCannotHold);
+    const Coupling& coupling = fixed.couplings[0];
+    EXPECT_GT(coupling.nodesA.size(), nodes.size());
+    EXPECT_NEAR(coupling.stiffnessPerNode * static_cast<double>(coupling.nodesA.size()), 600, 1e-9) << "as stiff in all";
+    for (const int node : nodes) EXPECT_EQ(std::count(coupling.nodesA.begin(), coupling.nodesA.end(), node), 1);
+  }
+  joint.couplings[0].nodesA = {0, 3, 3, 9};  // named twice: the rest holds
+  EXPECT_EQ(fixedJoint(joint, ProblemKind::NodesCannotHold).couplings[0].nodesA, (std::vector<int>{0, 3, 9}));
+  joint.couplings[0].nodesA = {0, 3, 99};
+  EXPECT_EQ(fixedJoint(joint, ProblemKind::CouplingBroken).couplings.size(), 1u);
 }
 
 TEST(FixProblem, aBondStifferThanTissueIsMadeAsStiffAsAMillimetreOfIt) {

@@ -42,6 +42,7 @@ TEST(Paper, aBlockThatPressesIsSolvedByNodesAndAsTheDirectSolveDoes) {
 TEST(Paper, asPublishedByDefaultAndEachAdditionByItsName) {
   PaperSettings settings;
   EXPECT_EQ(paperDepartures(settings), (std::vector<std::string>{"explicit-b", "geometric-left-out", "springs-in-regions"}));
+  EXPECT_EQ(paperDepartures(settings, false), (std::vector<std::string>{"explicit-b", "geometric-left-out"})) << "all hold at nodes, as published";
   for (const char* word : {"tension", "recovery-cap", "parts", "search-again", "stretch-law"}) {
     ASSERT_NE(paperSetting(settings, word), nullptr) << word;
     EXPECT_FALSE(*paperSetting(settings, word)) << word;

@@ -4,6 +4,7 @@
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/mesh/TetTools.h"
 #include "simcore/study/RefineJoint.h"
+#include "tests/scenes/NodeScenes.h"
 #include "tests/simcore/study/ShippedScene.h"
 
 namespace glenoid::test {
@@ -52,6 +53,30 @@ TEST(RefineJoint, cellsAloneLeaveSurfacesAsTheyAre) {
   }
   EXPECT_EQ(refineCells(coarse, 0.5).error().fault, Fault::OutOfRange);
   EXPECT_EQ(refineCells(coarse, 2, [](const std::string&, double) { return false; }).error().fault, Fault::Cancelled);
+}
+
+TEST(RefineJoint, pickedNodesBecomeTheNearestOfTheFinerCells) {
+  const Joint coarse = scenes::figure4AtNodes();
+  const Joint fine = refineCells(coarse, 6).value();
+  const double half = 0.5 * std::sqrt(3.0) * coarse.parts[1].cellSize;
+  for (std::size_t c = 0; c < 2; ++c) {
+    EXPECT_EQ(fine.couplings[c].nodesA.size(), coarse.couplings[c].nodesA.size());
+    EXPECT_NEAR(fine.couplings[c].stiffnessPerNode * static_cast<double>(fine.couplings[c].nodesA.size()), 4e4, 1e-8);
+    for (const int node : fine.couplings[c].nodesA) {
+      double nearest = 1;
+      for (const int old : coarse.couplings[c].nodesA) nearest = std::min(nearest, (fine.parts[1].volume->nodes[node] - coarse.parts[1].volume->nodes[old]).norm());
+      EXPECT_LT(nearest, half);
+    }
+  }
+  EXPECT_TRUE(compileModel(fine, scenes::figure4Scenario()).ok());
+  Joint elsewhere = coarse;
+  TriMesh moved = *coarse.parts[1].visual;
+  for (Vec3& v : moved.vertices) v.y() += 0.1;
+  elsewhere.parts[1].visual = elsewhere.parts[1].collision = std::make_shared<const TriMesh>(moved);
+  const auto refused = refineCells(elsewhere, 6);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().fault, Fault::BadNodes);
+  EXPECT_EQ(refused.error().place.part, "c12");
 }
 
 TEST(RefineJoint, aCarriedStateMovesLikeTheCoarseOne) {

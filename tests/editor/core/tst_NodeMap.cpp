@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nodes picked on the screen: what is in sight, and by every way of picking.
+#include "editor/core/tools/NodeMap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "editor/core/tools/SelectTool.h"
+#include "tests/scenes/NodeScenes.h"
+
+namespace glenoid {
+namespace {
+
+/// Cells of 10 mm in a cube of 40 mm, seen from the front and a little from the right, so that no two nodes share a pixel.
+struct Front {
+  Front() {
+    viewport.view.eye_W = Vec3(0.031, 0.017, 0.3);
+    viewport.view.target_W = Vec3::Zero();
+    viewport.view.fieldOfView = 0.4;
+    viewport.width = 800;
+    viewport.height = 600;
+    tool.setNodes(cells, {});
+  }
+  Vec2 pixel(const Vec3& p) const { return *projected(viewport.view, p, viewport.width, viewport.height); }
+  std::vector<int> where(const std::function<bool(const Vec3&)>& holds) const {
+    Part part;
+    part.volume = cells;
+    return scenes::nodesWhere(part, holds);
+  }
+  std::vector<int> drag(const Vec2& from, const Vec2& to, Pointer keys = {}, const std::vector<int>& selected = {}) {
+    const auto at = [&keys](const Vec2& p) { return Pointer{p, keys.shift, keys.ctrl, keys.alt}; };
+    tool.press(viewport, at(from), selected);
+    tool.move(at((from + to) / 2));
+    tool.move(at(to));
+    return tool.release(at(to));
+  }
+  std::shared_ptr<const TetMesh> cells = std::make_shared<TetMesh>(scenes::boxVolume(Vec3(-0.02, -0.02, -0.02), Vec3(0.02, 0.02, 0.02), 4, 4, 4));
+  Viewport viewport;
+  SelectTool tool;
+};
+
+bool onSeenFace(const Vec3& p) { return p.z() > 0.0199 || p.x() > 0.0199 || p.y() > 0.0199; }
+
+TEST(NodeMap, seesTheNodesOfTheFacesThatLookAtIt) {
+  const Front front;
+  const NodeMap map(front.viewport, *front.cells, {});
+  for (int i = 0; i < static_cast<int>(front.cells->nodes.size()); ++i) {
+    const Vec3& p = front.cells->nodes[i];
+    EXPECT_LT((map.centres()[i].cast<double>() - front.pixel(p)).norm(), 0.01);
+    EXPECT_EQ(map.seen(i), onSeenFace(p)) << p.transpose();
+  }
+}
+
+TEST(NodeMap, othersHideAndUnusedNodesAreNowhere) {
+  const Front front;
+  const auto wall = std::make_shared<const TriMesh>(scenes::boxSurface(Vec3(-0.05, -0.05, 0.05), Vec3(0, 0.05, 0.06), 1));
+  const std::vector<std::shared_ptr<const TriMesh>> others{wall, nullptr};
+  TetMesh cells = *front.cells;
+  cells.nodes.push_back(Vec3(0.01, 0.03, 0.02));
+  const NodeMap map(front.viewport, cells, others);
+  int hidden = 0;
+  for (int i = 0; i + 1 < static_cast<int>(cells.nodes.size()); ++i) {
+    const Vec3& p = cells.nodes[i];
+    if (!onSeenFace(p)) continue;
+    // The way to the eye meets the wall's front where x < 0 there.
+    const double s = (0.06 - p.z()) / (0.3 - p.z()), x = p.x() + s * (0.031 - p.x());
+    if (std::abs(x) < 1e-3) continue;
+    EXPECT_EQ(map.seen(i), x > 0) << p.transpose();
+    hidden += x < 0;
+  }
+  EXPECT_GT(hidden, 10);
+  const int unused = static_cast<int>(cells.nodes.size()) - 1;
+  EXPECT_FALSE(map.seen(unused));
+  EXPECT_EQ(map.at(front.pixel(cells.nodes[unused]), true), -1);
+}
+
+TEST(NodeMap, aClickTakesTheNearestInSight) {
+  Front front;
+  front.tool.setMode(PickMode::Click);
+  const auto corner = front.where([](const Vec3& p) { return (p - Vec3(0.01, -0.01, 0.02)).norm() < 1e-9; });
+  const Vec2 at = front.pixel(Vec3(0.01, -0.01, 0.02));
+  EXPECT_EQ(front.drag(at + Vec2(3, -4), at + Vec2(3, -4)), corner);
+  EXPECT_TRUE(front.drag(at + Vec2(9, -9), at + Vec2(9, -9)).empty()) << "too far from any";
+  const auto back = front.where([](const Vec3& p) { return (p - Vec3(-0.01, -0.01, -0.02)).norm() < 1e-9; });
+  const Vec2 behind = front.pixel(Vec3(-0.01, -0.01, -0.02));
+  EXPECT_NE(front.drag(behind, behind), back);
+  Pointer through;
+  through.alt = true;
+  EXPECT_EQ(front.drag(behind, behind, through), back);
+}
+
+TEST(NodeMap, boxesLassosAndBrushesAddAndTakeAway) {
+  Front front;
+  front.tool.setMode(PickMode::Box);
+  const std::vector<int> seen = front.drag(Vec2(0, 0), Vec2(800, 600));
+  EXPECT_EQ(seen, front.where(onSeenFace));
+  Pointer keys;
+  keys.alt = true;
+  EXPECT_EQ(front.drag(Vec2(0, 0), Vec2(800, 600), keys).size(), front.cells->nodes.size());
+  keys = {};
+  keys.ctrl = true;
+  // Take what lies right of the front's middle column away.
+  const double middle = front.pixel(Vec3(0.005, 0, 0.02)).x();
+  const std::vector<int> left = front.drag(Vec2(middle, 0), Vec2(800, 600), keys, seen);
+  EXPECT_LT(left.size(), seen.size());
+  for (const int node : left) EXPECT_LT(front.pixel(front.cells->nodes[node]).x(), middle);
+  keys = {};
+  keys.shift = true;
+  EXPECT_EQ(front.drag(Vec2(middle, 0), Vec2(800, 600), keys, left), seen);
+
+  front.tool.setMode(PickMode::Lasso);
+  const Vec2 centre = front.pixel(Vec3(-0.01, 0, 0.02));
+  const double radius = (front.pixel(Vec3(0.001, 0, 0.02)) - centre).norm();
+  const std::vector<Vec2> way = circleOutline(centre, radius);
+  front.tool.press(front.viewport, {way.front()}, {});
+  for (const Vec2& p : way) front.tool.move({p});
+  std::vector<int> around;
+  for (const int node : seen)
+    if ((front.pixel(front.cells->nodes[node]) - centre).norm() < radius - 1) around.push_back(node);
+  EXPECT_EQ(front.tool.release({way.back()}), around);
+  EXPECT_GE(around.size(), 5u);
+
+  front.tool.setMode(PickMode::Brush);
+  front.tool.setRadius(5);
+  const std::vector<int> row = front.drag(front.pixel(Vec3(-0.0205, 0.01, 0.02)), front.pixel(Vec3(0.0205, 0.01, 0.02)));
+  EXPECT_EQ(row, front.where([](const Vec3& p) { return p.z() > 0.0199 && std::abs(p.y() - 0.01) < 1e-9; })) << "a node beside the brush is not taken";
+}
+
+TEST(NodeMap, withoutCellsNothingIsPicked) {
+  Front front;
+  front.tool.setNodes(nullptr, {});
+  EXPECT_TRUE(front.drag(Vec2(0, 0), Vec2(800, 600)).empty());
+}
+
+}  // namespace
+}  // namespace glenoid
