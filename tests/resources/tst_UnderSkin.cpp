@@ -148,21 +148,26 @@ TEST(UnderSkin, nothingIsShiftedAtTheStart) {
   for (int i = 0; i < static_cast<int>(model->objects.size()); ++i) EXPECT_TRUE(kept.shifts(i).empty()) << model->objects[i].id;
 }
 
-/// A state in which the muscles below have swollen out of the skin by so much, m, along the finger.
+/// A state in which the muscles below the finger have swollen into the skin by so much, m, along it.
 Pressed swollen(const Model& model, double by) {
   Pressed at;
   at.state = model.start;
-  const Vec3 out = model.scenario.tools[0].home.q_WB * Vec3::UnitZ();
+  const Pose home = model.scenario.tools[0].home;
+  const Vec3 out = home.q_WB * Vec3::UnitZ();
+  constexpr double kWide = 0.03;  // m
   for (const SceneObject& object : model.objects)
     if (object.id.starts_with("deltoid"))
-      for (int n = 0; n < object.layout.nodeCount; ++n) at.state.q.segment<3>(object.layout.qOffset + 3 * n) += by * out;
+      for (int n = 0; n < object.layout.nodeCount; ++n) {
+        auto node = at.state.q.segment<3>(object.layout.qOffset + 3 * n);
+        node += by * std::exp(-(node - home.p_WB).squaredNorm() / (2 * kWide * kWide)) * out;
+      }
   return at;
 }
 
 TEST(UnderSkin, holdsWhateverMovesTheMuscle) {
   const auto model = palpationAt({{0, 0}, {0, 0}});
   UnderSkin kept(*model);
-  const Pressed end = swollen(*model, 0.008);
+  const Pressed end = swollen(*model, 0.012);
   EXPECT_GT(throughSkin(*model, end, nullptr).depth, 5e-3);
   kept.look(end.state.q, {});
   EXPECT_LT(throughSkin(*model, end, &kept).depth, 5e-4);
@@ -179,7 +184,7 @@ TEST(UnderSkin, aSkinThatIsNotShownCoversNothing) {
   UnderSkin kept(*model);
   std::vector<char> shown(model->objects.size(), 1);
   shown[findPart(model->joint, "skin")] = 0;
-  kept.look(swollen(*model, 0.008).state.q, {}, shown);
+  kept.look(swollen(*model, 0.012).state.q, {}, shown);
   for (int i = 0; i < static_cast<int>(model->objects.size()); ++i) EXPECT_TRUE(kept.shifts(i).empty());
 }
 
