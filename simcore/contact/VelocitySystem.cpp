@@ -33,6 +33,9 @@ bool VelocitySystem::set(std::span<const VelocityIsland> islands, std::span<cons
   for (VecX* vector : {&m_v, &m_momentum, &m_gradient, &m_dv, &m_product}) vector->resize(3 * m_blocks);
   if (m_local.size() < islands.size()) m_local.resize(islands.size());
   gatherTerms();
+  m_joined = 0;
+  for (std::size_t c = 0; c < m_contacts.size(); ++c) m_joined += static_cast<double>(m_terms[c].size() * (m_terms[c].size() + 1)) / 2;
+  if (kLaidOut * m_joined > updatesMost) return false;
   m_renewed = !patternHolds();
   if (m_renewed && !renewPattern(updatesMost)) return false;
   gatherAnswers();

@@ -35,8 +35,8 @@ class VelocitySystem : public ContactSystem {
   /// nothing else may be called.
   bool set(std::span<const VelocityIsland> islands, std::span<const ContactUnknowns> contacts, std::span<const double> compliance,
            const Eigen::Ref<const VecX>& d, double updatesMost = std::numeric_limits<double>::infinity());
-  /// Products of 3×3 blocks in one factorization.
-  double updates() const { return static_cast<double>(m_symbolic->updateCount()); }
+  /// Products of 3×3 blocks in one factorization, contacts included.
+  double updates() const { return static_cast<double>(m_symbolic->updateCount()) + m_joined; }
   /// A new symbolic factorization was needed.
   bool renewed() const { return m_renewed; }
 
@@ -72,7 +72,10 @@ class VelocitySystem : public ContactSystem {
   void momentum();                                      ///< A v − b
   void scatter();                                       ///< v to the islands
 
+  static constexpr double kLaidOut = 20;     ///< products that a block which contacts join costs where the pattern is new
+
   bool m_portable, m_renewed = false;
+  double m_joined = 0;                       ///< blocks that contacts join, each contact by itself
   std::span<const VelocityIsland> m_islands;
   std::span<const ContactUnknowns> m_contacts;
   std::span<const double> m_compliance;

@@ -146,24 +146,27 @@ TEST(Overlap, bonesAndTissueComeApartWhateverTheirTriangles) {
 }
 
 TEST(Overlap, aStepEndsWhateverShapeTissueIsIn) {
-  // Four blocks in each other's place, every node anywhere: hundreds of rows that contradict each other.
+  // Three blocks in each other's place, every node anywhere: hundreds of rows that contradict each other.
   truth::TruthScene scene = emptyScene();
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const Vec3 low(0.004 * i, 0.003 * (i % 2), 0.005 * (i / 2));
     scene.joint.parts.push_back(truth::boxPart("block" + std::to_string(i), 1 + i, PartKind::Soft, low, low + Vec3::Constant(0.03), 4));
     Part& part = scene.joint.parts.back();
-    part.collision = std::make_shared<TriMesh>(truth::boxSurface(low, low + Vec3::Constant(0.03), 6));
+    part.collision = std::make_shared<TriMesh>(truth::boxSurface(low, low + Vec3::Constant(0.03), 5));
   }
   Scene run(scene);
   shapes::Numbers numbers(7);
   for (Eigen::Index i = 0; i < run.state.q.size(); ++i) run.state.q[i] = numbers.in(0, 0.04);
-  for (int i = 0; i < 3; ++i) {
+  int bounded = 0;
+  for (int i = 0; i < 2; ++i) {
     const StepReport& report = run.step();
+    bounded += report.bounded.any();
     std::printf("scattered: rows %d, work %.1e, parts %d, left out %d, rounds %d, searches %d, parts %d\n", report.contactSolver.rowsMax, report.contactWork,
                 report.parts, report.bounded.rows, report.bounded.rounds, report.bounded.searches, report.bounded.parts);
     EXPECT_TRUE(run.state.q.allFinite());
     EXPECT_LT(report.contactWork, 3e8);
   }
+  EXPECT_GT(bounded, 0) << "the scene is worth the test";
 }
 
 }  // namespace
