@@ -8,7 +8,7 @@ namespace glenoid {
 /// products of 3×3 blocks, some nanoseconds each, from numbers of rows, steps and triangles: the same on every machine, never by the clock.
 /// Scenes that are well stay far below; README.md has what gives way beyond it.
 struct ContactBudget {
-  static constexpr double kStep = 1e8, kFactor = 2e7;  ///< of a step, of one factorization in velocities
+  static constexpr double kStep = 3e8, kFactor = 2e7;  ///< of a step, of one factorization in velocities
   static constexpr double kOwnStep = 100, kOwnFactor = 4;  ///< and beside the first, or at least, so many factorizations of all islands alone
   static constexpr int kRowsMost = 600;  ///< of one problem that would be too dense in velocities
   double own = 0;                        ///< products in one factorization of all coupling islands

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "simcore/live/Run.h"
+#include "simcore/live/RunGather.h"
 #include "simcore/live/PenetrationProbe.h"
 #include "simcore/live/RunWatch.h"
 #include "tests/scenes/BlockScenes.h"
@@ -31,6 +32,35 @@ TEST(Notices, everyKindHasItsOwnWord) {
   std::set<std::string> words;
   for (int kind = 0; kind < kNoticeKindCount; ++kind) EXPECT_TRUE(words.insert(noticeName(static_cast<NoticeKind>(kind))).second);
   EXPECT_FALSE(words.count(""));
+}
+
+TEST(Notices, stepsWhoseContactsWouldHaveCostTooMuchAreSaid) {
+  const auto model = compileModel(scenes::blockOnPlateJoint(), scenes::blockOnPlateScenario()).value();
+  const double dt = model->scenario.dt;
+  RunGather gather(*model, nullptr, 4, Profile::Direct);
+  StepReport step;
+  gather.add(step, 0, model->start.v);
+  EXPECT_FALSE(gather.bounded());
+  step.deepOverlaps = 2;
+  step.bounded.parts = 3;
+  gather.add(step, dt, model->start.v);
+  step.bounded = {};
+  step.bounded.rows = 40;
+  gather.add(step, 2 * dt, model->start.v);
+  step = {};
+  gather.add(step, 3 * dt, model->start.v);
+  RunReport report;
+  gather.finish(report);
+  EXPECT_EQ(report.boundedSteps, 2);
+  EXPECT_EQ(report.deepOverlapSteps, 2);
+  const auto notice = gather.bounded();
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->kind, NoticeKind::Bounded);
+  EXPECT_EQ(notice->figure, 2);
+  EXPECT_EQ(notice->limit, 4);
+  EXPECT_EQ(notice->step, 2);
+  EXPECT_NEAR(notice->time, 2 * dt, 1e-12);
+  EXPECT_FALSE(isGrave(notice->kind));
 }
 
 TEST(Notices, aCalmSceneHasNone) {

@@ -157,16 +157,12 @@ TEST(Overlap, aStepEndsWhateverShapeTissueIsIn) {
   Scene run(scene);
   shapes::Numbers numbers(7);
   for (Eigen::Index i = 0; i < run.state.q.size(); ++i) run.state.q[i] = numbers.in(0, 0.04);
-  int bounded = 0;
-  for (int i = 0; i < 2; ++i) {
-    const StepReport& report = run.step();
-    bounded += report.bounded.any();
-    std::printf("scattered: rows %d, work %.1e, parts %d, left out %d, rounds %d, searches %d, parts %d\n", report.contactSolver.rowsMax, report.contactWork,
-                report.parts, report.bounded.rows, report.bounded.rounds, report.bounded.searches, report.bounded.parts);
-    EXPECT_TRUE(run.state.q.allFinite());
-    EXPECT_LT(report.contactWork, 3e8);
-  }
-  EXPECT_GT(bounded, 0) << "the scene is worth the test";
+  const StepReport& report = run.step();
+  std::printf("scattered: rows %d, work %.1e, left out %d, rounds %d, searches %d, parts %d\n", report.contactSolver.rowsMax, report.contactWork,
+              report.bounded.rows, report.bounded.rounds, report.bounded.searches, report.bounded.parts);
+  EXPECT_TRUE(run.state.q.allFinite());
+  EXPECT_TRUE(report.bounded.any()) << "the scene is worth the test";
+  EXPECT_LT(report.contactWork, 6e8);
 }
 
 }  // namespace
