@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
 
 #include "simcore/mesh/MeshHealth.h"
 #include "simcore/scene/JointFile.h"
@@ -97,6 +100,52 @@ TEST(Capsule, isAThinSleeveFromTheGlenoidsNeckToTheHumerus) {
   int outside = 0;
   for (const Vec3& p : wall.vertices) outside += onHumerus.inside(p) || onScapula.inside(p);
   EXPECT_LE(outside, int(wall.vertices.size() / 200)) << "in bone";
+}
+
+/// Most that a part lies on the inner sheet's side of the wall, mm: its vertices and the middles of edges and triangles, the wall's
+/// borders left out. `seen`: how many places.
+double insideTheJoint(const char* id, int& seen) {
+  TriMesh inner = visualOf("capsule");
+  const int sheet = int(inner.vertices.size() / 2);
+  std::erase_if(inner.triangles, [&](const auto& t) { return std::max({t[0], t[1], t[2]}) >= sheet; });
+  std::map<std::pair<int, int>, int> sides;
+  for (const auto& t : inner.triangles)
+    for (int k = 0; k < 3; ++k) ++sides[std::minmax(t[k], t[(k + 1) % 3])];
+  std::set<int> border;
+  for (const auto& [edge, count] : sides)
+    if (count == 1) border.insert({edge.first, edge.second});
+  const TriangleTree tree(inner);
+  const TriMesh part = visualOf(id);
+  std::vector<Vec3> places = part.vertices;
+  for (const auto& t : part.triangles) {
+    const Vec3 &a = part.vertices[t[0]], &b = part.vertices[t[1]], &c = part.vertices[t[2]];
+    for (const Vec3& p : {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3((a + b + c) / 3)}) places.push_back(p);
+  }
+  double most = 0;
+  seen = 0;
+  for (const Vec3& p : places) {
+    const TriangleTree::Closest foot = tree.closest(p, 6);
+    if (foot.triangle < 0) continue;
+    const auto& t = inner.triangles[foot.triangle];
+    if (border.contains(t[0]) || border.contains(t[1]) || border.contains(t[2])) continue;
+    const Vec3 towardsJoint = (inner.vertices[t[1]] - inner.vertices[t[0]]).cross(inner.vertices[t[2]] - inner.vertices[t[0]]).normalized();
+    const double depth = towardsJoint.dot(p - foot.point);
+    if (depth < 0.01 || depth < 0.7 * foot.distance) continue;
+    ++seen;
+    most = std::max(most, depth);
+  }
+  return most;
+}
+
+TEST(Capsule, noTendonComesThroughItIntoTheJoint) {
+  // A tendon's underside lies half a millimetre off the head: the wall was drawn above it, and muscle showed in its roof.
+  for (const char* id : {"supraspinatus", "infraspinatus", "subscapularis", "teres-minor", "coracohumeral-ligament"}) {
+    int seen = 0;
+    const double depth = insideTheJoint(id, seen);
+    std::printf("%s: %.2f mm inside the joint at most, %d places\n", id, depth, seen);
+    EXPECT_LT(depth, 0.4) << id;
+    EXPECT_LE(seen, 25) << id;
+  }
 }
 
 TEST(Capsule, hangsInAnAxillaryPouchWhileTheArmHangs) {

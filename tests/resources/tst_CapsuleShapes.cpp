@@ -40,8 +40,12 @@ const Bones& bones() {
 }
 
 const CapsuleShapes& shapes() {
-  static const CapsuleShapes made(bones(),
-                                  {visualOf("labrum"), visualOf("labrum-tendon"), visualOf("biceps-tendon")});
+  static const CapsuleShapes made = [] {
+    generate::Field over = generate::fieldOf(visualOf("supraspinatus"));
+    for (const char* id : {"infraspinatus", "subscapularis", "coracohumeral-ligament"})
+      over = generate::unionOf(over, generate::fieldOf(visualOf(id)));
+    return CapsuleShapes(bones(), {visualOf("labrum"), visualOf("labrum-tendon"), visualOf("biceps-tendon")}, over);
+  }();
   return made;
 }
 

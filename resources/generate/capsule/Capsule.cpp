@@ -15,7 +15,7 @@ namespace {
 constexpr int kAround = 72, kAlong = 14;             ///< cells of the capsule's visual sheets
 constexpr int kCoarseAround = 18, kCoarseAlong = 4;  ///< of its collision sheets
 
-constexpr double kUnderTendon = 0.2;                 ///< mm from a tendon to the wall's inner side
+constexpr double kUnderTendon = 0.6;                 ///< mm from a tendon to the wall's inner side, where there is room
 constexpr double kOffHead = 0.1;                     ///< mm, least, from there to the head
 
 double eased(double x) {
@@ -162,8 +162,7 @@ Surfaces CapsuleShapes::capsule() const {
 }
 
 TriMesh CapsuleShapes::bandMesh(const Band& band) const {
-  Sheet inner{{}, {}, band.across + 1, false};
-  std::vector<Vec3> outer;
+  std::vector<Vec3> inner, outer;
   for (int j = 0; j <= band.along; ++j)
     for (int i = 0; i <= band.across; ++i) {
       const double way = double(j) / band.along, aside = 2.0 * i / band.across - 1;
@@ -174,13 +173,10 @@ TriMesh CapsuleShapes::bandMesh(const Band& band) const {
       const double base = -fromEnd * kCapsuleThickness / 2,
                    half = 0.5 * band.thicknessAt(aside) * (0.6 + 0.4 * fromEnd) * rounded;
       const Vec3 at = m_sleeve.at(place), out = m_sleeve.outward(place);
-      inner.points.push_back(at + (base - half) * out);
-      inner.out.push_back(out);
+      inner.push_back(at + (base - half) * out);
       outer.push_back(at + (base + half) * out);
     }
-  // Where a tendon has moved the wall under itself, the ligament lies before that.
-  moveUnder(inner, m_over, m_bones.humerusShape, 2 * kUnderTendon, kOffHead);
-  return slab(inner.points, outer, band.across + 1, false);
+  return slab(inner, outer, band.across + 1, false);
 }
 
 Surfaces CapsuleShapes::surfacesOf(const Band& band) const {

@@ -37,7 +37,7 @@ struct TendonOver {
 class CapsuleShapes {
  public:
   /// `inside`: what lies in the joint besides the head: labrum, biceps anchor and, last, the biceps tendon. `over`: the tendons
-  /// that lie over it, none of which is seen from inside.
+  /// that lie over it; the wall's inner side keeps below them, so that none is seen from inside.
   CapsuleShapes(const Bones& bones, const std::vector<TriMesh>& inside, Field over);
 
   Surfaces capsule() const;
