@@ -113,7 +113,7 @@ TEST(NodeMap, boxesLassosAndBrushesAddAndTakeAway) {
   const Vec2 centre = scene.pixel(Vec3(-0.01, 0, 0.02));
   const double radius = (scene.pixel(Vec3(0.001, 0, 0.02)) - centre).norm();
   const std::vector<Vec2> way = circleOutline(centre, radius);
-  scene.tool.press(scene.viewport, {way.scene()}, {});
+  scene.tool.press(scene.viewport, {way.front()}, {});
   for (const Vec2& p : way) scene.tool.move({p});
   std::vector<int> around;
   for (const int node : seen)
