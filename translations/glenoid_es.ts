@@ -169,11 +169,11 @@
     </message>
     <message>
         <source>It has no error of %1 against this reference; %2 a step, %3 in 95 of 100.</source>
-        <translation type="unfinished"></translation>
+        <translation>No tiene error de %1 frente a esta referencia; %2 por paso, %3 en 95 de cada 100.</translation>
     </message>
     <message>
         <source>%1 of %2 error; %3 a step, %4 in 95 of 100.</source>
-        <translation type="unfinished"></translation>
+        <translation>Error de %2 de %1; %3 por paso, %4 en 95 de cada 100.</translation>
     </message>
 </context>
 <context>
@@ -3969,6 +3969,22 @@
     <message>
         <source>Showing a failure of a study in place of the scene</source>
         <translation>Mostrando un fallo de un estudio en lugar de la escena</translation>
+    </message>
+    <message>
+        <source>Through the ar&amp;throscope</source>
+        <translation>A través del ar&amp;troscopio</translation>
+    </message>
+    <message>
+        <source>Show what the arthroscope sees beside the view from outside</source>
+        <translation>Mostrar lo que ve el artroscopio junto a la vista desde fuera</translation>
+    </message>
+    <message>
+        <source>S&amp;wap arthroscope and outside</source>
+        <translation>Inter&amp;cambiar artroscopio y exterior</translation>
+    </message>
+    <message>
+        <source>What is small becomes large; dragged tools follow the mouse in the large picture</source>
+        <translation>Lo pequeño pasa a ser grande; las herramientas arrastradas siguen al ratón en la imagen grande</translation>
     </message>
 </context>
 <context>

@@ -12,10 +12,10 @@
 namespace glenoid {
 namespace {
 
-/// Cells of 10 mm in a cube of 40 mm, seen from the front and a little from the right, so that no two nodes share a pixel.
-struct Front {
-  Front() {
-    viewport.view.eye_W = Vec3(0.031, 0.017, 0.3);
+/// Cells of 10 mm in a cube of 40 mm, seen from the front, from above and from the right, so that no two nodes share a pixel.
+struct CellsInSight {
+  CellsInSight() {
+    viewport.view.eye_W = Vec3(0.06, 0.05, 0.3);
     viewport.view.target_W = Vec3::Zero();
     viewport.view.fieldOfView = 0.4;
     viewport.width = 800;
@@ -43,28 +43,28 @@ struct Front {
 bool onSeenFace(const Vec3& p) { return p.z() > 0.0199 || p.x() > 0.0199 || p.y() > 0.0199; }
 
 TEST(NodeMap, seesTheNodesOfTheFacesThatLookAtIt) {
-  const Front front;
-  const NodeMap map(front.viewport, *front.cells, {});
-  for (int i = 0; i < static_cast<int>(front.cells->nodes.size()); ++i) {
-    const Vec3& p = front.cells->nodes[i];
-    EXPECT_LT((map.centres()[i].cast<double>() - front.pixel(p)).norm(), 0.01);
+  const CellsInSight scene;
+  const NodeMap map(scene.viewport, *scene.cells, {});
+  for (int i = 0; i < static_cast<int>(scene.cells->nodes.size()); ++i) {
+    const Vec3& p = scene.cells->nodes[i];
+    EXPECT_LT((map.centres()[i].cast<double>() - scene.pixel(p)).norm(), 0.01);
     EXPECT_EQ(map.seen(i), onSeenFace(p)) << p.transpose();
   }
 }
 
 TEST(NodeMap, othersHideAndUnusedNodesAreNowhere) {
-  const Front front;
+  const CellsInSight scene;
   const auto wall = std::make_shared<const TriMesh>(scenes::boxSurface(Vec3(-0.05, -0.05, 0.05), Vec3(0, 0.05, 0.06), 1));
   const std::vector<std::shared_ptr<const TriMesh>> others{wall, nullptr};
-  TetMesh cells = *front.cells;
+  TetMesh cells = *scene.cells;
   cells.nodes.push_back(Vec3(0.01, 0.03, 0.02));
-  const NodeMap map(front.viewport, cells, others);
+  const NodeMap map(scene.viewport, cells, others);
   int hidden = 0;
   for (int i = 0; i + 1 < static_cast<int>(cells.nodes.size()); ++i) {
     const Vec3& p = cells.nodes[i];
     if (!onSeenFace(p)) continue;
-    // The way to the eye meets the wall's front where x < 0 there.
-    const double s = (0.06 - p.z()) / (0.3 - p.z()), x = p.x() + s * (0.031 - p.x());
+    // The way to the eye goes through the wall where x < 0 at its back.
+    const double s = (0.05 - p.z()) / (0.3 - p.z()), x = p.x() + s * (0.06 - p.x());
     if (std::abs(x) < 1e-3) continue;
     EXPECT_EQ(map.seen(i), x > 0) << p.transpose();
     hidden += x < 0;
@@ -72,65 +72,65 @@ TEST(NodeMap, othersHideAndUnusedNodesAreNowhere) {
   EXPECT_GT(hidden, 10);
   const int unused = static_cast<int>(cells.nodes.size()) - 1;
   EXPECT_FALSE(map.seen(unused));
-  EXPECT_EQ(map.at(front.pixel(cells.nodes[unused]), true), -1);
+  EXPECT_EQ(map.at(scene.pixel(cells.nodes[unused]), true), -1);
 }
 
 TEST(NodeMap, aClickTakesTheNearestInSight) {
-  Front front;
-  front.tool.setMode(PickMode::Click);
-  const auto corner = front.where([](const Vec3& p) { return (p - Vec3(0.01, -0.01, 0.02)).norm() < 1e-9; });
-  const Vec2 at = front.pixel(Vec3(0.01, -0.01, 0.02));
-  EXPECT_EQ(front.drag(at + Vec2(3, -4), at + Vec2(3, -4)), corner);
-  EXPECT_TRUE(front.drag(at + Vec2(9, -9), at + Vec2(9, -9)).empty()) << "too far from any";
-  const auto back = front.where([](const Vec3& p) { return (p - Vec3(-0.01, -0.01, -0.02)).norm() < 1e-9; });
-  const Vec2 behind = front.pixel(Vec3(-0.01, -0.01, -0.02));
-  EXPECT_NE(front.drag(behind, behind), back);
+  CellsInSight scene;
+  scene.tool.setMode(PickMode::Click);
+  const auto corner = scene.where([](const Vec3& p) { return (p - Vec3(0.01, -0.01, 0.02)).norm() < 1e-9; });
+  const Vec2 at = scene.pixel(Vec3(0.01, -0.01, 0.02));
+  EXPECT_EQ(scene.drag(at + Vec2(3, -4), at + Vec2(3, -4)), corner);
+  EXPECT_TRUE(scene.drag(at + Vec2(9, -9), at + Vec2(9, -9)).empty()) << "too far from any";
+  const auto back = scene.where([](const Vec3& p) { return (p - Vec3(-0.01, -0.01, -0.02)).norm() < 1e-9; });
+  const Vec2 behind = scene.pixel(Vec3(-0.01, -0.01, -0.02));
+  EXPECT_NE(scene.drag(behind, behind), back);
   Pointer through;
   through.alt = true;
-  EXPECT_EQ(front.drag(behind, behind, through), back);
+  EXPECT_EQ(scene.drag(behind, behind, through), back);
 }
 
 TEST(NodeMap, boxesLassosAndBrushesAddAndTakeAway) {
-  Front front;
-  front.tool.setMode(PickMode::Box);
-  const std::vector<int> seen = front.drag(Vec2(0, 0), Vec2(800, 600));
-  EXPECT_EQ(seen, front.where(onSeenFace));
+  CellsInSight scene;
+  scene.tool.setMode(PickMode::Box);
+  const std::vector<int> seen = scene.drag(Vec2(0, 0), Vec2(800, 600));
+  EXPECT_EQ(seen, scene.where(onSeenFace));
   Pointer keys;
   keys.alt = true;
-  EXPECT_EQ(front.drag(Vec2(0, 0), Vec2(800, 600), keys).size(), front.cells->nodes.size());
+  EXPECT_EQ(scene.drag(Vec2(0, 0), Vec2(800, 600), keys).size(), scene.cells->nodes.size());
   keys = {};
   keys.ctrl = true;
   // Take what lies right of the front's middle column away.
-  const double middle = front.pixel(Vec3(0.005, 0, 0.02)).x();
-  const std::vector<int> left = front.drag(Vec2(middle, 0), Vec2(800, 600), keys, seen);
+  const double middle = scene.pixel(Vec3(0.005, 0, 0.02)).x();
+  const std::vector<int> left = scene.drag(Vec2(middle, 0), Vec2(800, 600), keys, seen);
   EXPECT_LT(left.size(), seen.size());
-  for (const int node : left) EXPECT_LT(front.pixel(front.cells->nodes[node]).x(), middle);
+  for (const int node : left) EXPECT_LT(scene.pixel(scene.cells->nodes[node]).x(), middle);
   keys = {};
   keys.shift = true;
-  EXPECT_EQ(front.drag(Vec2(middle, 0), Vec2(800, 600), keys, left), seen);
+  EXPECT_EQ(scene.drag(Vec2(middle, 0), Vec2(800, 600), keys, left), seen);
 
-  front.tool.setMode(PickMode::Lasso);
-  const Vec2 centre = front.pixel(Vec3(-0.01, 0, 0.02));
-  const double radius = (front.pixel(Vec3(0.001, 0, 0.02)) - centre).norm();
+  scene.tool.setMode(PickMode::Lasso);
+  const Vec2 centre = scene.pixel(Vec3(-0.01, 0, 0.02));
+  const double radius = (scene.pixel(Vec3(0.001, 0, 0.02)) - centre).norm();
   const std::vector<Vec2> way = circleOutline(centre, radius);
-  front.tool.press(front.viewport, {way.front()}, {});
-  for (const Vec2& p : way) front.tool.move({p});
+  scene.tool.press(scene.viewport, {way.front()}, {});
+  for (const Vec2& p : way) scene.tool.move({p});
   std::vector<int> around;
   for (const int node : seen)
-    if ((front.pixel(front.cells->nodes[node]) - centre).norm() < radius - 1) around.push_back(node);
-  EXPECT_EQ(front.tool.release({way.back()}), around);
+    if ((scene.pixel(scene.cells->nodes[node]) - centre).norm() < radius - 1) around.push_back(node);
+  EXPECT_EQ(scene.tool.release({way.back()}), around);
   EXPECT_GE(around.size(), 5u);
 
-  front.tool.setMode(PickMode::Brush);
-  front.tool.setRadius(5);
-  const std::vector<int> row = front.drag(front.pixel(Vec3(-0.0205, 0.01, 0.02)), front.pixel(Vec3(0.0205, 0.01, 0.02)));
-  EXPECT_EQ(row, front.where([](const Vec3& p) { return p.z() > 0.0199 && std::abs(p.y() - 0.01) < 1e-9; })) << "a node beside the brush is not taken";
+  scene.tool.setMode(PickMode::Brush);
+  scene.tool.setRadius(5);
+  const std::vector<int> row = scene.drag(scene.pixel(Vec3(-0.0205, 0.01, 0.02)), scene.pixel(Vec3(0.0205, 0.01, 0.02)));
+  EXPECT_EQ(row, scene.where([](const Vec3& p) { return p.z() > 0.0199 && std::abs(p.y() - 0.01) < 1e-9; })) << "a node beside the brush is not taken";
 }
 
 TEST(NodeMap, withoutCellsNothingIsPicked) {
-  Front front;
-  front.tool.setNodes(nullptr, {});
-  EXPECT_TRUE(front.drag(Vec2(0, 0), Vec2(800, 600)).empty());
+  CellsInSight scene;
+  scene.tool.setNodes(nullptr, {});
+  EXPECT_TRUE(scene.drag(Vec2(0, 0), Vec2(800, 600)).empty());
 }
 
 }  // namespace
