@@ -41,7 +41,7 @@ void erase(LcpWork& work, int count, int place) {
       L(k, j) = c * upper + s * lower;
       L(k + 1, j) = c * lower - s * upper;
     }
-    const double upper = L(j, j), lower = L(j + 1, j), length = std::hypot(upper, lower);
+    const double upper = L(j, j), lower = L(j + 1, j), length = std::sqrt(upper * upper + lower * lower);
     work.cosine[j] = upper / length;
     work.sine[j] = lower / length;
     L(j, j) = length;

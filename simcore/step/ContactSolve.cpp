@@ -180,7 +180,8 @@ void solveContactIsland(Stepper::Work& work, const State& state, const ContactIs
     } else {
       solved = solveInImpulses(work, island, n, limits);
       if (!solved.exact && !limits.sweepsLast && !tangential) {
-        // Rows that round-off makes dependent do no harm in velocities.
+        // Rows that round-off makes dependent do no harm in velocities. Their d is without the free velocities, which W's has taken in.
+        chooseRows(work, state, island);
         if (const std::optional<LcpReport> answer = solveInVelocities(work, island, n, limits)) {
           cycles = velocities = true;
           solved = *answer;

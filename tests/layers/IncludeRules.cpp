@@ -81,7 +81,7 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> list = {
       {"Bullet", std::regex("^(Bullet\\w*/|LinearMath/|bullet/|bt[A-Z]).*"), {"simcore/spatial"}},
-      {"CGAL", std::regex("^CGAL/.*"), {"simcore/export"}},
+      {"CGAL", std::regex("^CGAL/.*"), {"simcore/export", "simcore/repair"}},
       {"meshoptimizer", std::regex("^meshoptimizer.*"), {"simcore/mesh"}},
       {"SuiteSparse", std::regex("^(suitesparse/.*|cholmod\\w*\\.h|amd\\.h|SuiteSparse\\w*\\.h|.*CholmodSupport)$"),
        {"simcore/linear"}},
