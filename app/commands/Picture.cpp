@@ -169,10 +169,7 @@ Result<Done> drawPicture(const Model& model, const State& state, std::span<const
     sight.look.haze = wishes.haze;
     sight.look.bleeding = wishes.bleeding;
     look.scope = sight.look;
-    for (Panel& panel : panels) {
-      panel.layers.objects.resize(model.objects.size());
-      panel.layers.objects[*scope].visible = false;  // it does not see itself
-    }
+    for (Panel& panel : panels) panel.layers = throughScope(std::move(panel.layers), *scope);
   } else {
     view = chooseView(model, wishes.camera, box, aspect, !wishes.part.empty());
   }

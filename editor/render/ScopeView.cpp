@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/body/State.h"
 #include "simcore/tool/ScopeOptics.h"
+#include "simcore/train/Sight.h"
 
 namespace glenoid {
 
@@ -19,20 +19,23 @@ std::optional<int> findScope(const Model& model, std::string_view id) {
   return std::nullopt;
 }
 
+Layers throughScope(Layers layers, int object) {
+  layers.objects.resize(std::max(layers.objects.size(), static_cast<std::size_t>(object) + 1));
+  layers.objects[static_cast<std::size_t>(object)].visible = false;
+  for (ObjectLook& look : layers.objects) look.selected = look.hovered = false;
+  return layers;
+}
+
 ScopeSight scopeSight(const Model& model, const VecX& q, int object, int width, int height) {
   const Tool& tool = model.scenario.tools[model.objects[object].toolIndex];
-  const ScopeAxes axes = scopeAxes(tool);
-  const Pose pose = poseAt(q, model.objects[object].layout.qOffset);
-  // The tip is the mesh's origin at rest; the body's is its mass centre.
-  const SurfaceBinding& surface = model.objects[object].visual;
-  const Vec3 tip_B = surface.vertices.empty() ? Vec3::Zero() : Vec3(surface.vertices.front().r_B - surface.mesh->vertices.front());
+  const ScopeView from = scopeView(model, q, object);
   ScopeSight sight;
   sight.look.halfField = halfFieldOf(tool);
   sight.look.hasNotch = tool.lens > 0;
   sight.look.notch = -tool.lensTurn;  // +Y is to the left of the picture, its up being +X
-  sight.view.eye_W = pose.p_WB + pose.q_WB * tip_B;
-  sight.view.target_W = sight.view.eye_W + 0.02 * (pose.q_WB * axes.forward_B);
-  sight.view.up_W = pose.q_WB * axes.up_B;
+  sight.view.eye_W = from.lens_W;
+  sight.view.target_W = from.lens_W + 0.02 * from.axis_W;
+  sight.view.up_W = from.up_W;
   sight.view.fieldOfView = 2 * std::atan(std::tan(sight.look.halfField) * (height / 2.0) / scopeRadius(width, height));
   return sight;
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "editor/render/Layers.h"
 #include "editor/render/ScopeLook.h"
 #include "editor/render/View.h"
 #include "simcore/step/Model.h"
@@ -18,6 +19,9 @@ struct ScopeSight {
 };
 /// Of an object that is an arthroscope; the picture's size in pixels.
 ScopeSight scopeSight(const Model& model, const VecX& q, int object, int width, int height);
+
+/// Layers as an arthroscope sees them: without itself, and nothing marked as selected.
+Layers throughScope(Layers layers, int object);
 
 /// The first object that is an arthroscope, or the one with this tool id; nothing where there is none.
 std::optional<int> findScope(const Model& model, std::string_view id = {});

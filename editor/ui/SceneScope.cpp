@@ -50,12 +50,9 @@ void SceneView::drawInto(const Target& target, bool through, const Look& look) {
   }
   const int object = *scopeObject();
   const ScopeSight sight = scopeSight(*m_model, shownState(), object, target.width, target.height);
-  shown.objects.resize(std::max(shown.objects.size(), static_cast<std::size_t>(object) + 1));
-  shown.objects[static_cast<std::size_t>(object)].visible = false;  // it does not see itself
-  for (ObjectLook& each : shown.objects) each.selected = each.hovered = false;
   Look scoped = look;
   scoped.scope = sight.look;
-  m_renderer->draw(sight.view, shownState(), shown, snapshot.report.contactViews, scoped, target);
+  m_renderer->draw(sight.view, shownState(), throughScope(std::move(shown), object), snapshot.report.contactViews, scoped, target);
 }
 
 void SceneView::drawInset(const Look& look) {

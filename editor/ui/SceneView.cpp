@@ -224,8 +224,7 @@ QImage SceneView::picture(int width, int height) {
     const ScopeSight sight = scopeSight(*m_model, shownState(), object, width, height);
     view = sight.view;
     fine.scope = sight.look;
-    shown.objects.resize(std::max(shown.objects.size(), static_cast<std::size_t>(object) + 1));
-    shown.objects[static_cast<std::size_t>(object)].visible = false;
+    shown = throughScope(std::move(shown), object);
   }
   auto image = m_renderer->picture(view, shownState(), shown, snapshot.report.contactViews, fine, width, height);
   doneCurrent();

@@ -2,7 +2,6 @@
 #include "simcore/author/NodeCouplings.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -40,10 +39,7 @@ Found nearestToPoints(const TetMesh& mesh, const NodeCoupling& wish, double reac
   Found found;
   const std::vector<int> offered = usedNodes(mesh);
   for (std::size_t i = 0; i < wish.points_W.size(); ++i) {
-    int best = -1;
-    double distance = std::numeric_limits<double>::infinity();
-    for (const int node : offered)
-      if (const double d = (mesh.nodes[node] - wish.points_W[i]).norm(); d < distance) best = node, distance = d;
+    const auto [best, distance] = nearestNode(mesh, offered, wish.points_W[i]);
     if (distance <= reach) found.nodes.push_back(best);
     else if (found.missed.empty())
       found.missed = couplingName(wish.coupling) + " (point " + std::to_string(i + 1) + ": nearest node " + lengthText(distance) + ", half a cell's diagonal " + lengthText(reach) + ")";
@@ -82,7 +78,7 @@ Result<Done> addNodeCoupling(Joint& joint, const NodeCoupling& wish) {
   if (b < 0) return fail(Fault::UnknownId, {wish.coupling.partB, "part"});
   const Part& part = joint.parts[a];
   if (part.kind != PartKind::Soft || !part.volume) return fail(Fault::BadNodes, {"rigid", part.id});
-  const double reach = 0.5 * std::sqrt(3.0) * (1 + 1e-9) * cellEdgeOf(part);
+  const double reach = halfDiagonalOf(cellEdgeOf(part));
   Found found = wish.points_W.empty() ? nearToPart(*part.volume, *joint.parts[b].visual, wish) : nearestToPoints(*part.volume, wish, reach);
   if (!found.missed.empty()) return fail(Fault::NothingNear, {found.missed});
   Coupling coupling = wish.coupling;

@@ -2,9 +2,7 @@
 #include "simcore/coupling/CarryNodes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "simcore/coupling/CouplingAnchors.h"
 #include "simcore/coupling/RegionAnchors.h"
@@ -13,19 +11,6 @@
 
 namespace glenoid {
 namespace {
-
-struct Nearest {
-  int node = -1;
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-/// Of equals the first.
-Nearest nearestOf(const TetMesh& mesh, const std::vector<int>& nodes, const Vec3& place) {
-  Nearest nearest;
-  for (const int node : nodes)
-    if (const double distance = (mesh.nodes[node] - place).norm(); distance < nearest.distance) nearest = {node, distance};
-  return nearest;
-}
 
 std::string millimetres(double metres) {
   char text[32];
@@ -42,7 +27,7 @@ Result<CarriedNodes> carryNodes(Joint& joint, const std::string& id, const TetMe
   const Part& part = joint.parts[index];
   const TetMesh* after = part.volume.get();
   if (after && (after == &before || *after == before)) return carried;
-  const double reach = 0.5 * std::sqrt(3.0) * (1 + 1e-9) * std::max(cellBefore, cellEdgeOf(part));
+  const double reach = halfDiagonalOf(std::max(cellBefore, cellEdgeOf(part)));
   const std::vector<int> offered = after ? usedNodes(*after) : std::vector<int>();
   std::vector<Coupling> couplings = joint.couplings;
   for (std::size_t c = 0; c < couplings.size(); ++c) {
@@ -59,7 +44,7 @@ Result<CarriedNodes> carryNodes(Joint& joint, const std::string& id, const TetMe
     for (const int node : coupling.nodesA) {
       if (node < 0 || node >= static_cast<int>(before.nodes.size()))
         return bad({"outside", std::to_string(node), std::to_string(static_cast<int>(before.nodes.size()) - 1)});
-      const Nearest nearest = nearestOf(*after, offered, before.nodes[node]);
+      const NearestNode nearest = nearestNode(*after, offered, before.nodes[node]);
       lost += !(nearest.distance <= reach);
       farthest = std::max(farthest, nearest.distance);
       if (nearest.node >= 0) nodes.push_back(nearest.node);

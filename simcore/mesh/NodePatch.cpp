@@ -63,6 +63,15 @@ std::vector<int> connectedNodes(const TetMesh& mesh, const std::vector<int>& set
 
 std::vector<int> invertedNodes(const TetMesh& mesh, const std::vector<int>& set) { return without(usedNodes(mesh), set); }
 
+NearestNode nearestNode(const TetMesh& mesh, const std::vector<int>& nodes, const Vec3& place) {
+  NearestNode nearest;
+  for (const int node : nodes)
+    if (const double distance = (mesh.nodes[node] - place).norm(); distance < nearest.distance) nearest = {node, distance};
+  return nearest;
+}
+
+double halfDiagonalOf(double cellEdge) { return 0.5 * std::sqrt(3.0) * (1 + 1e-9) * cellEdge; }
+
 double meanCellEdge(const TetMesh& mesh) {
   if (mesh.tets.empty()) return 0;
   double volume = 0;

@@ -26,7 +26,8 @@ double meets(const Vec3& from, const Vec3& way, const Vec3& a, const Vec3& b, co
 ScopeView scopeView(const Model& model, const VecX& q, int tool) {
   const SceneObject& object = model.objects[tool];
   const Quat turn = poseAt(q, object.layout.qOffset).q_WB;
-  return {CarriedPoint(model, tool, Vec3::Zero()).at(model, q), turn * scopeAxes(model.scenario.tools[object.toolIndex]).forward_B};
+  const ScopeAxes axes = scopeAxes(model.scenario.tools[object.toolIndex]);
+  return {CarriedPoint(model, tool, Vec3::Zero()).at(model, q), turn * axes.forward_B, turn * axes.up_B};
 }
 
 bool inSight(const Model& model, const VecX& q, int tool, const Vec3& from_W, const Vec3& to_W, double tolerance) {

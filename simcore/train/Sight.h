@@ -8,6 +8,7 @@ namespace glenoid {
 struct ScopeView {
   Vec3 lens_W = Vec3::Zero();    ///< m: the tip
   Vec3 axis_W = -Vec3::UnitZ();  ///< unit, the middle of the picture (ScopeOptics.h)
+  Vec3 up_W = Vec3::UnitX();     ///< unit, what is up in it
 };
 
 /// The view of a tool, by its lens and light post.

@@ -20,6 +20,15 @@ inline TriMesh box(const Vec3& low, const Vec3& high) {
   return mesh;
 }
 
+/// Both in one mesh, without a vertex in common.
+inline TriMesh joined(const TriMesh& a, const TriMesh& b) {
+  TriMesh out = a;
+  const int base = static_cast<int>(a.vertices.size());
+  out.vertices.insert(out.vertices.end(), b.vertices.begin(), b.vertices.end());
+  for (const auto& t : b.triangles) out.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
+  return out;
+}
+
 /// Rows × columns of quads closed in both directions: torus about Y.
 inline TriMesh torus(double major, double minor, int around, int across) {
   TriMesh mesh;

@@ -10,15 +10,8 @@ namespace glenoid {
 namespace {
 
 using shapes::box;
+using shapes::joined;
 using shapes::sphere;
-
-TriMesh joined(const TriMesh& a, const TriMesh& b) {
-  TriMesh out = a;
-  const int base = static_cast<int>(a.vertices.size());
-  out.vertices.insert(out.vertices.end(), b.vertices.begin(), b.vertices.end());
-  for (const auto& t : b.triangles) out.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  return out;
-}
 
 TriMesh shifted(TriMesh mesh, const Vec3& by) {
   for (Vec3& v : mesh.vertices) v += by;
